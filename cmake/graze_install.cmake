@@ -1,0 +1,12 @@
+# The package: find_package(graze) gives graze::interval and graze::octree.
+include(CMakePackageConfigHelpers)
+install(TARGETS graze_interval graze_octree EXPORT graze_targets)
+install(DIRECTORY interval/include/ octree/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT graze_targets NAMESPACE graze:: FILE graze-targets.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/graze)
+configure_package_config_file(cmake/graze-config.cmake.in graze-config.cmake
+        INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/graze)
+write_basic_package_version_file(graze-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/graze-config.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/graze-config-version.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/graze)

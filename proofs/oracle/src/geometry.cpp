@@ -1,0 +1,1 @@
+#include <graze/oracle/geometry.hpp>
