@@ -63,24 +63,24 @@ public:
     return std::isfinite(t) ? certified_sign(natural_extension<B>(f_, points(t, t))) : 0;
   }
 
-  /// True only if g is proven to have no zero in [first, last]: by f on the box that the ray runs
-  /// through there, or by the mean value form of g, whose excess falls with the square of the
-  /// length.
-  [[nodiscard]] bool has_no_zero_in(double first, double last) const {
+  /// The proven sign that g has on all of [first, last]; 0 where it may have a zero there. Decided
+  /// by f on the box that the ray runs through, or by the mean value form of g, whose excess falls
+  /// with the square of the length.
+  [[nodiscard]] int sign_throughout(double first, double last) const {
     if (!std::isfinite(last))
-      return false;
+      return 0;
     using d = dual<interval, 1>;
     const bound3<B> x = points(first, last);
     std::array<d, 3> moving;
     for (int a = 0; a < 3; ++a)
       moving[a] = {x[a], {interval(ray_.direction()[a])}};
     const d g = f_(moving[0], moving[1], moving[2]);
-    if (excludes_zero(g.value))
-      return true;
+    if (const int sign = certified_sign(g.value); sign != 0)
+      return sign;
     const double middle = std::clamp(first / 2 + last / 2, first, last);
     const interval at_middle = natural_extension<B>(f_, points(middle, middle));
     const interval offset(B::sub_down(first, middle), B::sub_up(last, middle));
-    return excludes_zero(at_middle + g.partial[0] * offset);
+    return certified_sign(at_middle + g.partial[0] * offset);
   }
 
 private:

@@ -80,61 +80,104 @@ private:
   const sparse_octree& octree_;
 };
 
-/// What is known of the first root while a ray is followed from octant to octant: nothing lies
-/// before `near`; two opposite proven signs, both at parameters within the domain and at most
-/// `far`, prove a root between them.
+/// What is known of the first root while a ray is followed from octant to octant, front to back. No
+/// root lies before `near`, nor between octants that are kept; opposite proven signs at two
+/// parameters within the domain prove a root, and that the first one is not after the later of the
+/// two.
 template <Surface F, rounding::Backend B> class root_search {
 public:
   root_search(const along_ray<F, B>& g, const ray_span& domain) : g_(g), domain_(domain) {}
 
-  /// Looks at the ray's part in the next octant front to back, of which `s` is the span; returns
-  /// true if the octant is kept, which it is unless g is proven free of zeros there.
+  /// Looks at the ray's part in the next octant, of which `s` is the span; returns true if the
+  /// octant is kept, which it is unless g is proven free of zeros there.
   bool keep(const ray_span& s) {
     const double first = std::max(s.entry_down, domain_.entry_down);
     const double last = std::min(s.exit_up, domain_.exit_up);
-    if (first > last || g_.has_no_zero_in(first, last))
+    if (first > last)
       return false;
-    // An octant that the ray only seems to touch, by rounding, may seem to be entered after the
-    // next one; its own exit, rounded down, is not after that.
-    near_ = std::min({near_, first, s.exit_down});
-    far_ = last;
-    if (kept_++ == 0)
+    look_between(first);
+    if (proven())
+      return false;
+    const int sign = g_.sign_throughout(first, last);
+    if (const double t = clamped(first); sign != 0 && first <= t && t <= last)
+      note(sign, t);
+    if (sign != 0 && !proven())
+      return false;
+    // No root is before the first octant that may hold one. An octant that the ray only seems to
+    // touch, by rounding, may seem to be entered after the next one; but the later octants are
+    // beyond a plane that bounds this one, so that no root in them is before its own exit, rounded
+    // down.
+    if (!any_)
+      near_ = std::min(first, s.exit_down);
+    far_ = std::max(far_, last);
+    step_ = std::max(step_, last - first);
+    if (!any_ && !(std::min(positive_at_, negative_at_) <= near_))
       look_before();
-    look_at(last);
+    any_ = true;
+    if (sign != 0)
+      return false; // an octant after the root, by rounding, met before the root's own
+    unresolved_ = !look_at(last);
     return true;
   }
 
-  [[nodiscard]] bool proven() const { return positive_ && negative_; }
-  [[nodiscard]] bool any() const { return kept_ != 0; }
+  /// Says that no further octant follows.
+  void finish() { look_between(domain_.exit_down); }
+
+  [[nodiscard]] bool proven() const { return positive_at_ < infinity && negative_at_ < infinity; }
+  [[nodiscard]] bool any() const { return any_; }
   [[nodiscard]] double near() const { return std::max(near_, domain_.entry_down); }
-  [[nodiscard]] double far() const { return far_; }
+  /// Once proven: the later of the two signs; else the end of the last octant kept.
+  [[nodiscard]] double far() const {
+    return proven() ? std::max(positive_at_, negative_at_) : far_;
+  }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   /// From the domain's entry up to `near` the sign does not change: any point there will do.
   void look_before() {
-    look_at(near_);
-    if (positive_ || negative_ || !(domain_.entry_up < near_))
+    if (positive_at_ < infinity || negative_at_ < infinity)
       return;
-    look_at(domain_.entry_up / 2 + near_ / 2);
-    if (!positive_ && !negative_)
+    if (look_at(near_) || !(domain_.entry_up < near_))
+      return;
+    if (!look_at(domain_.entry_up / 2 + near_ / 2))
       look_at(domain_.entry_up);
   }
 
-  void look_at(double t) {
-    if (!(domain_.entry_up <= domain_.exit_down))
-      return;
-    t = std::clamp(t, domain_.entry_up, domain_.exit_down);
+  /// Nor does it change between the last octant kept and the next one: where rounding hides the
+  /// sign at the former's end, it shows a little further on.
+  void look_between(double next) {
+    double step = step_;
+    for (; unresolved_ && far_ + step < next; step += step)
+      unresolved_ = !look_at(far_ + step);
+    unresolved_ = false;
+  }
+
+  bool look_at(double t) {
+    t = clamped(t);
     const int sign = g_.sign_at(t);
-    positive_ = positive_ || sign > 0;
-    negative_ = negative_ || sign < 0;
-    far_ = std::max(far_, t);
+    note(sign, t);
+    return sign != 0;
+  }
+
+  void note(int sign, double t) {
+    if (!(domain_.entry_up <= domain_.exit_down))
+      return; // no parameter is certainly in the domain
+    if (sign > 0)
+      positive_at_ = std::min(positive_at_, t);
+    if (sign < 0)
+      negative_at_ = std::min(negative_at_, t);
+  }
+  [[nodiscard]] double clamped(double t) const {
+    return std::max(domain_.entry_up, std::min(t, domain_.exit_down));
   }
 
   const along_ray<F, B>& g_;
   ray_span domain_;
-  double near_ = std::numeric_limits<double>::infinity(), far_ = 0;
-  std::uint64_t kept_ = 0;
-  bool positive_ = false, negative_ = false;
+  double near_ = infinity, far_ = 0;
+  double step_ = 0; ///< the longest part of the ray in an octant kept
+  double positive_at_ = infinity, negative_at_ = infinity;
+  bool any_ = false, unresolved_ = false;
 };
 
 /// First hits with one surface. M is the Method by which the ray descends; the verdicts are proven
@@ -196,6 +239,8 @@ public:
       return search.proven() || ++looked_at == most_leaves;
     };
     const bool stopped = descend(M(r), octree_->box(), level_, tree, visit, &seen.cells_opened);
+    if (!stopped)
+      search.finish();
     if (counts != nullptr) {
       counts->cells_opened += seen.cells_opened;
       counts->leaves_kept += seen.leaves_kept;
