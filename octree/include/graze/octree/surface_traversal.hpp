@@ -136,8 +136,6 @@ private:
 
   /// From the domain's entry up to `near` the sign does not change: any point there will do.
   void look_before() {
-    if (positive_at_ < infinity || negative_at_ < infinity)
-      return;
     if (look_at(near_) || !(domain_.entry_up < near_))
       return;
     if (!look_at(domain_.entry_up / 2 + near_ / 2))
