@@ -1,27 +1,164 @@
 #pragma once
-/// Stand-in until branch interval lands: graze::unprotected<Backend>, graze::sqr.
-#include <boost/numeric/interval.hpp>
-#include <graze/rounding/upward.hpp>
+/// graze::interval<Backend>: Boost's interval type with bounds that hold. Every operation here, and
+/// those of Boost.Interval that it lists, gives the tightest enclosure of the range over the
+/// operands' real members: 0 ulp per endpoint.
+#include <algorithm>
+#include <boost/numeric/interval/arith.hpp>
+#include <boost/numeric/interval/arith2.hpp>
+#include <boost/numeric/interval/utility.hpp>
+#include <graze/policies.hpp>
+#include <graze/rounding/nearest.hpp>
+
 namespace graze {
-namespace standin {
-template <class B> struct ops {
-  static double add_down(double x, double y) { return B::add_down(x, y); }
-  static double add_up(double x, double y) { return B::add_up(x, y); }
-  static double sub_down(double x, double y) { return B::sub_down(x, y); }
-  static double sub_up(double x, double y) { return B::sub_up(x, y); }
-  static double mul_down(double x, double y) { return B::mul_down(x, y); }
-  static double mul_up(double x, double y) { return B::mul_up(x, y); }
-  static double div_down(double x, double y) { return B::div_down(x, y); }
-  static double div_up(double x, double y) { return B::div_up(x, y); }
-  static double median(double x, double y) { return x / 2 + y / 2; }
-  template <class V> static double conv_down(V v) { return static_cast<double>(v); }
-  template <class V> static double conv_up(V v) { return static_cast<double>(v); }
-};
-template <class B> struct bare : ops<B> { using unprotected_rounding = bare; };
-template <class B> struct guarded : ops<B> { typename B::scope s; using unprotected_rounding = bare<B>; };
-using check = boost::numeric::interval_lib::checking_base<double>;
-} // namespace standin
-template <class B> using unprotected = boost::numeric::interval<double, boost::numeric::interval_lib::policies<standin::bare<B>, standin::check>>;
-template <class B = rounding::upward> using interval = boost::numeric::interval<double, boost::numeric::interval_lib::policies<standin::guarded<B>, standin::check>>;
-template <class P> boost::numeric::interval<double, P> sqr(const boost::numeric::interval<double, P>& x) { return boost::numeric::square(x); }
+
+/// With the default backend every operation may be inlined anywhere and sets no mode. The others
+/// set and restore their mode in every operation; see `unprotected`.
+template <rounding::Backend B = rounding::nearest>
+using interval = boost::numeric::interval<double, policies<B>>;
+
+/// For inner loops: the operations assume that the caller holds a `typename B::scope`.
+template <rounding::Backend B> using unprotected = interval<rounding::held<B>>;
+
+// Found beside the overloads below whether called by name or by argument. Tightest as they are:
+// -x, x + y, x - y, x * y, sqrt, square, abs, min, max of intervals.
+using boost::numeric::abs;
+using boost::numeric::empty;
+using boost::numeric::hull;
+using boost::numeric::intersect;
+using boost::numeric::max;
+using boost::numeric::min;
+using boost::numeric::sqrt;
+using boost::numeric::square;
+using boost::numeric::subset;
+using boost::numeric::width;
+
+template <Policies P> using interval_of = boost::numeric::interval<double, P>;
+
+// Mixed operations: a number stands for the interval that holds it alone, so that NaN and
+// infinities, which are no real numbers, give the empty set. (Boost multiplies by infinity as if it
+// were a number: inf * [-1, 1] would be entire, inf * [0, 1] a NaN.)
+template <Policies P> interval_of<P> operator+(const interval_of<P>& x, const double& y) {
+  return x + interval_of<P>(y);
+}
+template <Policies P> interval_of<P> operator+(const double& x, const interval_of<P>& y) {
+  return interval_of<P>(x) + y;
+}
+template <Policies P> interval_of<P> operator-(const interval_of<P>& x, const double& y) {
+  return x - interval_of<P>(y);
+}
+template <Policies P> interval_of<P> operator-(const double& x, const interval_of<P>& y) {
+  return interval_of<P>(x) - y;
+}
+template <Policies P> interval_of<P> operator*(const double& x, const interval_of<P>& y) {
+  using I = interval_of<P>;
+  if (empty(y) || empty(I(x)))
+    return I::empty();
+  typename P::rounding rnd;
+  if (x < 0)
+    return I(rnd.mul_down(x, y.upper()), rnd.mul_up(x, y.lower()), true);
+  if (x == 0)
+    return I(0.0, 0.0, true);
+  return I(rnd.mul_down(x, y.lower()), rnd.mul_up(x, y.upper()), true);
+}
+template <Policies P> interval_of<P> operator*(const interval_of<P>& x, const double& y) {
+  return y * x;
+}
+
+/// Encloses { a / b : a in x, b in y, b != 0 }; empty for y = [0, 0]. Where y reaches 0 from one
+/// side and x ends at 0, Boost's own operator gives entire: [-1, 0] / [0, 1] is [-inf, 0].
+template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const interval_of<P>& y) {
+  using I = interval_of<P>;
+  if (empty(x) || empty(y))
+    return I::empty();
+  const double a = x.lower(), b = x.upper(), c = y.lower(), d = y.upper();
+  if (c == 0 && d == 0)
+    return I::empty();
+  if (a == 0 && b == 0)
+    return I(0.0, 0.0, true);
+  if (c < 0 && 0 < d)
+    return I::whole();
+  typename P::rounding rnd;
+  constexpr double infinity = checking::infinity;
+  if (c >= 0) { // y within [0, inf]
+    if (a >= 0)
+      return I(rnd.div_down(a, d), c == 0 ? infinity : rnd.div_up(b, c), true);
+    if (b <= 0)
+      return I(c == 0 ? -infinity : rnd.div_down(a, c), rnd.div_up(b, d), true);
+    return c == 0 ? I::whole() : I(rnd.div_down(a, c), rnd.div_up(b, c), true);
+  }
+  if (a >= 0)
+    return I(d == 0 ? -infinity : rnd.div_down(b, d), rnd.div_up(a, c), true);
+  if (b <= 0)
+    return I(rnd.div_down(b, c), d == 0 ? infinity : rnd.div_up(a, d), true);
+  return d == 0 ? I::whole() : I(rnd.div_down(b, d), rnd.div_up(a, d), true);
+}
+template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const double& y) {
+  return x / interval_of<P>(y);
+}
+template <Policies P> interval_of<P> operator/(const double& x, const interval_of<P>& y) {
+  return interval_of<P>(x) / y;
+}
+
+// Comparisons say what is certain: true iff it holds for every pair of members (hence for an empty
+// operand). Not x < y does not mean x >= y. Equality is that of sets. Boost's own throw when
+// unsure.
+template <Policies P> bool operator<(const interval_of<P>& x, const interval_of<P>& y) {
+  return empty(x) || empty(y) || x.upper() < y.lower();
+}
+template <Policies P> bool operator<=(const interval_of<P>& x, const interval_of<P>& y) {
+  return empty(x) || empty(y) || x.upper() <= y.lower();
+}
+template <Policies P> bool operator>(const interval_of<P>& x, const interval_of<P>& y) {
+  return y < x;
+}
+template <Policies P> bool operator>=(const interval_of<P>& x, const interval_of<P>& y) {
+  return y <= x;
+}
+template <Policies P> bool operator==(const interval_of<P>& x, const interval_of<P>& y) {
+  return empty(x) || empty(y) ? empty(x) && empty(y)
+                              : x.lower() == y.lower() && x.upper() == y.upper();
+}
+template <Policies P> bool operator!=(const interval_of<P>& x, const interval_of<P>& y) {
+  return !(x == y);
+}
+template <Policies P> bool operator<(const interval_of<P>& x, const double& y) {
+  return x < interval_of<P>(y);
+}
+template <Policies P> bool operator<=(const interval_of<P>& x, const double& y) {
+  return x <= interval_of<P>(y);
+}
+template <Policies P> bool operator>(const interval_of<P>& x, const double& y) {
+  return x > interval_of<P>(y);
+}
+template <Policies P> bool operator>=(const interval_of<P>& x, const double& y) {
+  return x >= interval_of<P>(y);
+}
+template <Policies P> bool operator==(const interval_of<P>& x, const double& y) {
+  return x == interval_of<P>(y);
+}
+template <Policies P> bool operator!=(const interval_of<P>& x, const double& y) {
+  return x != interval_of<P>(y);
+}
+
+/// x^2: for an interval the tightest enclosure of { t^2 : t in x }, for a double x * x. One formula
+/// serves both.
+template <Policies P> interval_of<P> sqr(const interval_of<P>& x) { return square(x); }
+constexpr double sqr(double x) { return x * x; }
+
+/// The least double >= upper - lower; NaN for the empty set.
+template <Policies P> double width(const interval_of<P>& x) {
+  if (empty(x))
+    return checking::nan();
+  typename P::rounding rnd;
+  return rnd.sub_up(x.upper(), x.lower());
+}
+/// max { |t| : t in x }, exact; NaN for the empty set.
+template <Policies P> double mag(const interval_of<P>& x) {
+  return empty(x) ? checking::nan() : std::max(-x.lower(), x.upper());
+}
+/// A finite double in x, near the middle; NaN for the empty set.
+template <Policies P> double mid(const interval_of<P>& x) {
+  return empty(x) ? checking::nan() : P::rounding::median(x.lower(), x.upper());
+}
+
 } // namespace graze

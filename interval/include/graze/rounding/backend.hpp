@@ -9,11 +9,12 @@
 
 namespace graze::rounding {
 
-/// A set of directed operations. Each returns the correctly rounded result of the exact operation on
-/// every input, bit for bit the same in every backend, signed zeros included (a NaN is a NaN, its
-/// payload is not specified). `number` is double for every shipped backend; the exhaustive tests use
-/// a tiny float. `scope` sets the modes that the operations need and restores, at its end, exactly
-/// what it found; the operations may be called only while a scope of the same backend lives.
+/// A set of directed operations. Each returns the correctly rounded result of the exact operation
+/// on every input, bit for bit the same in every backend, signed zeros included (a NaN is a NaN,
+/// its payload is not specified). `number` is double for every shipped backend; the exhaustive
+/// tests use a tiny float. `scope` sets the modes that the operations need and restores, at its
+/// end, exactly what it found; the operations may be called only while a scope of the same backend
+/// lives.
 template <class B>
 concept Backend = requires(typename B::number x) {
   typename B::scope;

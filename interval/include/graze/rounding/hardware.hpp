@@ -1,0 +1,129 @@
+#pragma once
+/// One floating-point instruction in the mode in force, and scopes that set the mode. Shared by the
+/// backends that need a mode; nothing here is known to the optimizer.
+#include <graze/rounding/backend.hpp>
+
+#if !defined(__x86_64__)
+#include <cfenv>
+#include <cmath>
+#endif
+
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+#error "graze: double arithmetic must round to double (not with -mfpmath=387)"
+#endif
+
+namespace graze::rounding::hardware {
+
+/// Hides a value from the optimizer: what is computed from it is not folded, not contracted into a
+/// fused operation with what made it, and not moved across a change of mode (volatile asm
+/// statements keep their order; see NUMERICS, "Compilers and modes").
+inline __attribute__((always_inline)) void pin(double& x) {
+#if defined(__x86_64__)
+  asm volatile("" : "+x"(x));
+#elif defined(__aarch64__)
+  asm volatile("" : "+w"(x));
+#else
+  asm volatile("" : "+m"(x));
+#endif
+}
+
+#if defined(__x86_64__)
+
+inline unsigned mxcsr() {
+  unsigned value;
+  asm volatile("stmxcsr %0" : "=m"(value));
+  return value;
+}
+inline void set_mxcsr(unsigned value) { asm volatile("ldmxcsr %0" : : "m"(value) : "memory"); }
+
+inline unsigned short x87_control() {
+  unsigned short value;
+  asm volatile("fnstcw %0" : "=m"(value));
+  return value;
+}
+inline void set_x87_control(unsigned short value) {
+  asm volatile("fldcw %0" : : "m"(value) : "memory");
+}
+
+inline constexpr unsigned mxcsr_rounding = 0x6000;       ///< RC: 0 nearest, 0x2000 down, 0x4000 up
+inline constexpr unsigned mxcsr_flush_to_zero = 0x8000;  ///< FTZ: subnormal results become 0
+inline constexpr unsigned mxcsr_denormals_zero = 0x0040; ///< DAZ: subnormal operands count as 0
+
+/// MXCSR with all exceptions masked, no flag raised, no flushing, and the rounding named.
+enum class mode : unsigned { nearest = 0x1f80, down = 0x3f80, up = 0x5f80 };
+
+/// Sets the SSE mode for its life, then restores the MXCSR found, status flags included. Arithmetic
+/// written with plain operators beside a scope may be moved into it by the compiler: within a
+/// scope, and in what flows in or out of it, use a backend's operations.
+class mode_scope {
+public:
+  explicit mode_scope(mode m) : found_(mxcsr()) { set_mxcsr(static_cast<unsigned>(m)); }
+  ~mode_scope() { set_mxcsr(found_); }
+  mode_scope(const mode_scope&) = delete;
+  mode_scope& operator=(const mode_scope&) = delete;
+
+private:
+  unsigned found_;
+};
+
+// The VEX form under AVX: legacy SSE instructions between VEX ones cost a state transition.
+#if defined(__AVX__)
+#define GRAZE_SSE_BINARY(instruction)                                                              \
+  asm volatile("v" instruction " %2, %1, %0" : "=x"(x) : "x"(x), "x"(y));                          \
+  return x
+#else
+#define GRAZE_SSE_BINARY(instruction)                                                              \
+  asm volatile(instruction " %1, %0" : "+x"(x) : "x"(y));                                          \
+  return x
+#endif
+inline double add(double x, double y) { GRAZE_SSE_BINARY("addsd"); }
+inline double sub(double x, double y) { GRAZE_SSE_BINARY("subsd"); }
+inline double mul(double x, double y) { GRAZE_SSE_BINARY("mulsd"); }
+inline double div(double x, double y) { GRAZE_SSE_BINARY("divsd"); }
+#undef GRAZE_SSE_BINARY
+inline double sqrt(double x) {
+#if defined(__AVX__)
+  asm volatile("vsqrtsd %1, %1, %0" : "=x"(x) : "x"(x));
+#else
+  asm volatile("sqrtsd %0, %0" : "+x"(x));
+#endif
+  return x;
+}
+
+#else // any other machine: C's floating-point environment and pinned operands
+
+enum class mode : int { nearest = FE_TONEAREST, down = FE_DOWNWARD, up = FE_UPWARD };
+
+class mode_scope {
+public:
+  explicit mode_scope(mode m) {
+    std::fegetenv(&found_);
+    std::fesetenv(FE_DFL_ENV);
+    std::fesetround(static_cast<int>(m));
+  }
+  ~mode_scope() { std::fesetenv(&found_); }
+  mode_scope(const mode_scope&) = delete;
+  mode_scope& operator=(const mode_scope&) = delete;
+
+private:
+  std::fenv_t found_;
+};
+
+#define GRAZE_PINNED(expression)                                                                   \
+  pin(x), pin(y);                                                                                  \
+  double result = (expression);                                                                    \
+  pin(result);                                                                                     \
+  return result
+inline double add(double x, double y) { GRAZE_PINNED(x + y); }
+inline double sub(double x, double y) { GRAZE_PINNED(x - y); }
+inline double mul(double x, double y) { GRAZE_PINNED(x * y); }
+inline double div(double x, double y) { GRAZE_PINNED(x / y); }
+inline double sqrt(double x) {
+  double y = 0;
+  GRAZE_PINNED(std::sqrt(x));
+}
+#undef GRAZE_PINNED
+
+#endif
+
+} // namespace graze::rounding::hardware
