@@ -31,7 +31,8 @@ void lead_along(random_stream& random, trial& t, const vec3& point, const vec3& 
   // an origin that had to be coarser has lost the direction: go straight to the point instead
   for (unsigned a = 0; a < 3; ++a)
     if (point[a] - t.origin[a] != integer[a] * multiple * unit) {
-      for (unsigned b = 0; b < 3; ++b) t.direction[b] = point[b] - t.origin[b];
+      for (unsigned b = 0; b < 3; ++b)
+        t.direction[b] = point[b] - t.origin[b];
       break;
     }
 }
@@ -40,7 +41,8 @@ void lead_along(random_stream& random, trial& t, const vec3& point, const vec3& 
 vec3 integer_direction(random_stream& random, int bits) {
   vec3 d;
   const unsigned zeros = random.below(8) == 0 ? random.below(7) : 0;
-  for (unsigned a = 0; a < 3; ++a) d[a] = (zeros >> a & 1) != 0 ? 0 : small_integer(random, bits);
+  for (unsigned a = 0; a < 3; ++a)
+    d[a] = (zeros >> a & 1) != 0 ? 0 : small_integer(random, bits);
   return d;
 }
 
@@ -68,7 +70,8 @@ void vertex(random_stream& random, trial& t) {
   lead_exactly(random, t, s.vertex);
   if (t.direction == vec3{}) // the origin is the vertex itself
     t.direction = random_direction(random);
-  if (random.one_in(4)) scale(t.direction, random.between(-40, 40));
+  if (random.one_in(4))
+    scale(t.direction, random.between(-40, 40));
   finish(random, t, s);
 }
 
@@ -94,7 +97,8 @@ void face(random_stream& random, trial& t) {
   const unsigned normal = random.below(3);
   vec3 point = s.vertex;
   if (random.coin())
-    for (double& x : point) x = random.coin() ? beside(random, t, x) : x;
+    for (double& x : point)
+      x = random.coin() ? beside(random, t, x) : x;
   point[normal] = s.vertex[normal];
   lead_exactly(random, t, point);
   t.origin[normal] = s.vertex[normal];
@@ -108,14 +112,22 @@ void near_parallel(random_stream& random, trial& t) {
   for (unsigned a = 0; a < 3; ++a) {
     t.origin[a] = s.vertex[a];
     t.direction[a] = 0;
-    if (random.coin()) t.origin[a] = step_ulps(t.origin[a], random.between(-2, 2));
-    if (a == main) continue;
+    if (random.coin())
+      t.origin[a] = step_ulps(t.origin[a], random.between(-2, 2));
+    if (a == main)
+      continue;
     switch (random.below(4)) {
-    case 0: break;
-    case 1: t.direction[a] = random.sign() * 0x1p-1074 * static_cast<double>(1 + random.below(4)); break;
-    default: t.direction[a] = random_double(random, -1074, -1); break;
+    case 0:
+      break;
+    case 1:
+      t.direction[a] = random.sign() * 0x1p-1074 * static_cast<double>(1 + random.below(4));
+      break;
+    default:
+      t.direction[a] = random_double(random, -1074, -1);
+      break;
     }
-    if (random.one_in(4)) t.origin[a] -= t.direction[a] * t.root.size;
+    if (random.one_in(4))
+      t.origin[a] -= t.direction[a] * t.root.size;
   }
   t.origin[main] = s.vertex[main] - random_offset(random, t);
   t.direction[main] = random.coin() ? random.sign() : random_double(random, -3, 3);
@@ -133,7 +145,8 @@ void diagonal(random_stream& random, trial& t) {
   lead_along(random, t, s.vertex, d, 2);
   if (random.one_in(3)) { // the same tie with every bit of the significand set or random
     const double m = std::fabs(random_double(random, 0, 0));
-    for (double& x : t.direction) x *= m;
+    for (double& x : t.direction)
+      x *= m;
   }
   if (random.one_in(4)) {
     double& x = random.coin() ? t.direction[random.below(3)] : t.origin[random.below(3)];
@@ -151,9 +164,11 @@ void origin_on(random_stream& random, trial& t, unsigned fixed) {
     t.origin[a] = i < fixed ? s.vertex[a] : beside(random, t, s.vertex[a]);
   }
   t.direction = random_direction(random);
-  if (random.one_in(3)) t.direction[random.below(3)] = random_double(random, -1074, -30);
+  if (random.one_in(3))
+    t.direction[random.below(3)] = random_double(random, -1074, -30);
   if (random.one_in(3)) { // towards another vertex
-    for (unsigned a = 0; a < 3; ++a) t.direction[a] = s.vertex[a] + random.between(-1, 1) * t.size() - t.origin[a];
+    for (unsigned a = 0; a < 3; ++a)
+      t.direction[a] = s.vertex[a] + random.between(-1, 1) * t.size() - t.origin[a];
   }
   finish(random, t, s);
 }
@@ -165,7 +180,8 @@ void origin_face(random_stream& random, trial& t) { origin_on(random, t, 1); }
 /// The direction from a full-precision origin to the target, rounded, and a few ulps beside.
 void aim(random_stream& random, trial& t, const vec3& target, int highest_exponent) {
   for (unsigned a = 0; a < 3; ++a) {
-    t.origin[a] = target[a] + random_double(random, highest_exponent - (random.coin() ? 2 : 40), highest_exponent) *
+    t.origin[a] = target[a] + random_double(random, highest_exponent - (random.coin() ? 2 : 40),
+                                            highest_exponent) *
                                   t.root.size;
     t.direction[a] = target[a] - t.origin[a];
   }
@@ -181,7 +197,8 @@ void aimed_vertex(random_stream& random, trial& t) {
   if (random.one_in(3)) { // normalized, as renderers do
     const double length = std::hypot(t.direction[0], t.direction[1], t.direction[2]);
     if (length > 0)
-      for (double& x : t.direction) x /= length;
+      for (double& x : t.direction)
+        x /= length;
   }
   finish(random, t, s);
 }
@@ -198,8 +215,12 @@ void aimed_edge(random_stream& random, trial& t) {
 void root_graze(random_stream& random, trial& t) {
   const site s = pick_root_site(random, t);
   switch (random.below(3)) {
-  case 0: lead_exactly(random, t, s.vertex); break;
-  case 1: aim(random, t, s.vertex, 1); break;
+  case 0:
+    lead_exactly(random, t, s.vertex);
+    break;
+  case 1:
+    aim(random, t, s.vertex, 1);
+    break;
   default: {
     lead_exactly(random, t, s.vertex);
     const unsigned a = random.below(3);
@@ -278,7 +299,9 @@ void mid_plane(random_stream& random, trial& t) {
 /// The control: nothing special, and a block where the ray passes.
 void random_ray(random_stream& random, trial& t) {
   for (unsigned a = 0; a < 3; ++a) {
-    const auto uniform = [&] { return static_cast<double>(random.bits(53)) * 0x1p-53 * t.root.size; };
+    const auto uniform = [&] {
+      return static_cast<double>(random.bits(53)) * 0x1p-53 * t.root.size;
+    };
     t.origin[a] = t.root.lo[a] + uniform() * 3 - t.root.size;
     t.direction[a] = t.root.lo[a] + uniform() - t.origin[a];
   }
@@ -320,11 +343,13 @@ const std::vector<generator>& generators() {
 
 const generator* find_generator(std::string_view name) {
   for (const generator& g : generators())
-    if (g.name == name) return &g;
+    if (g.name == name)
+      return &g;
   return nullptr;
 }
 
-trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, int level, const cube& root) {
+trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, int level,
+                 const cube& root) {
   random_stream random(seed, index);
   trial t;
   t.root = root;

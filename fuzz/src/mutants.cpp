@@ -25,26 +25,29 @@ public:
 struct drop_one_child {
   template <class B> static void apply(const B& all, B& out) {
     for (unsigned i = 0; i < all.size(); ++i)
-      if (all[i].index != 5) out.push(all[i].index, all[i].state);
+      if (all[i].index != 5)
+        out.push(all[i].index, all[i].state);
   }
 };
 
 /// Back to front.
 struct reverse_order {
   template <class B> static void apply(const B& all, B& out) {
-    for (unsigned i = all.size(); i-- > 0;) out.push(all[i].index, all[i].state);
+    for (unsigned i = all.size(); i-- > 0;)
+      out.push(all[i].index, all[i].state);
   }
 };
 
-/// Leaves out what it only just passes: the interval on some two axes is a single value of t, which is
-/// what happens when planes are hit at the same t to the last bit.
+/// Leaves out what it only just passes: the interval on some two axes is a single value of t, which
+/// is what happens when planes are hit at the same t to the last bit.
 struct skip_exact_hit {
   template <class B> static void apply(const B& all, B& out) {
     for (unsigned i = 0; i < all.size(); ++i) {
       const auto& s = all[i].state;
       const double enter = std::max({0.0, s[0].enter, s[1].enter, s[2].enter});
       const double leave = std::min({s[0].leave, s[1].leave, s[2].leave});
-      if (enter < leave) out.push(all[i].index, s);
+      if (enter < leave)
+        out.push(all[i].index, s);
     }
   }
 };
@@ -67,7 +70,8 @@ public:
   [[nodiscard]] promise promises() const override { return promise::owned; }
   void visit(const trial& t, visited& out) override {
     base_.visit(t, out);
-    if (out.size() != 0) out.push(out[out.size() - 1]);
+    if (out.size() != 0)
+      out.push(out[out.size() - 1]);
   }
 
 private:
@@ -87,9 +91,11 @@ const std::vector<traversal_entry>& mutants() {
   static const std::vector<traversal_entry> all{
       {drops, "sound, but leaves out child 5", make_edited<drop_one_child, drops>},
       {reversed, "sound, but back to front", make_edited<reverse_order, reversed>},
-      {"mutant-everything", "every octant of the block", [] { return std::unique_ptr<traversal>(new report_everything); }},
+      {"mutant-everything", "every octant of the block",
+       [] { return std::unique_ptr<traversal>(new report_everything); }},
       {exact, "sound, but skips where planes are hit exactly", make_edited<skip_exact_hit, exact>},
-      {"mutant-twice", "sound, but its last octant twice", [] { return std::unique_ptr<traversal>(new report_twice); }},
+      {"mutant-twice", "sound, but its last octant twice",
+       [] { return std::unique_ptr<traversal>(new report_twice); }},
   };
   return all;
 }

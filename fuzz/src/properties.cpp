@@ -1,14 +1,18 @@
 #include <cmath>
 #include <graze/fuzz/properties.hpp>
 #include <graze/oracle/geometry.hpp>
+#include <vector>
 
 namespace graze::fuzz {
 
 std::string_view name_of(promise p) {
   switch (p) {
-  case promise::touched: return "touched";
-  case promise::owned: return "owned";
-  default: return "crossed";
+  case promise::touched:
+    return "touched";
+  case promise::owned:
+    return "owned";
+  default:
+    return "crossed";
   }
 }
 
@@ -40,13 +44,16 @@ truth truth_of(const trial& t) {
   std::array<std::array<double, max_extent + 1>, 3> planes;
   std::array<std::span<const double>, 3> grid;
   for (unsigned a = 0; a < 3; ++a) {
-    for (unsigned k = 0; k <= t.extent[a]; ++k) planes[a][k] = t.plane(static_cast<int>(a), k);
+    for (unsigned k = 0; k <= t.extent[a]; ++k)
+      planes[a][k] = t.plane(static_cast<int>(a), k);
     grid[a] = std::span<const double>(planes[a].data(), t.extent[a] + 1u);
   }
   const unsigned far_face = t.at_far_face();
   const unsigned near_face = t.at_near_face();
   truth is;
-  for (const oracle::step& s : oracle::steps_in_grid(t.origin, t.direction, grid)) {
+  thread_local std::vector<oracle::step> steps;
+  oracle::steps_in_grid(t.origin, t.direction, grid, steps);
+  for (const oracle::step& s : steps) {
     voxel_set closed = ~voxel_set{0};
     voxel_set owner = ~voxel_set{0};
     bool interior = true;
@@ -66,22 +73,26 @@ truth truth_of(const trial& t) {
         owner &= layer[a][k];
       else
         owner &= (far_face >> a & 1) != 0 ? layer[a][k - 1] : 0;
-      if ((k == 0 && (near_face >> a & 1) == 0) || (k == n && (far_face >> a & 1) == 0)) surrounded = false;
+      if ((k == 0 && (near_face >> a & 1) == 0) || (k == n && (far_face >> a & 1) == 0))
+        surrounded = false;
     }
     is.touched |= closed;
-    if (interior) is.crossed |= closed;
+    if (interior)
+      is.crossed |= closed;
     if (owner != 0 && (is.owned & owner) == 0) {
       is.owned |= owner;
       is.owner_order[is.owners++] = static_cast<voxel>(std::countr_zero(owner));
     }
-    if (s.segment && surrounded && is.length_count < is.lengths.size()) is.lengths[is.length_count++] = closed;
+    if (s.segment && surrounded && is.length_count < is.lengths.size())
+      is.lengths[is.length_count++] = closed;
   }
   return is;
 }
 
 voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
   voxel_set left = spurious(is, said);
-  if (left == 0) return 0;
+  if (left == 0)
+    return 0;
   // every product that a test may form stays within 2^-800..2^800
   for (int a = 0; a < 3; ++a) {
     const double d = std::fabs(t.direction[a]);
@@ -89,7 +100,8 @@ voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
         std::fabs(t.root.lo[a]) > 0x1p250)
       return 0;
   }
-  if (t.root.size > 0x1p250 || t.size() < 0x1p-250) return 0;
+  if (t.root.size > 0x1p250 || t.size() < 0x1p-250)
+    return 0;
   voxel_set far = 0;
   for (; left != 0; left &= left - 1) {
     const auto v = static_cast<voxel>(std::countr_zero(left));
@@ -104,7 +116,8 @@ voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
       planes[a] = {lo - reach, hi + reach};
       grid[a] = planes[a];
     }
-    if (oracle::steps_in_grid(t.origin, t.direction, grid).empty()) far |= voxel_set{1} << v;
+    if (oracle::steps_in_grid(t.origin, t.direction, grid).empty())
+      far |= voxel_set{1} << v;
   }
   return far;
 }
@@ -118,13 +131,20 @@ verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
   v.spurious = spurious(is, said);
   v.gaps = gaps(is, said);
   v.order_error = p == promise::owned && out_of_order(is, said);
-  if (v.crossed_missed != 0) v.findings |= bit(finding::crossed_miss);
-  if (v.gaps != 0) v.findings |= bit(finding::gap);
-  if ((v.missed & ~v.crossed_missed) != 0) v.findings |= bit(finding::miss);
-  if (v.order_error) v.findings |= bit(finding::order);
-  if (said.repeated()) v.findings |= bit(finding::revisit);
-  if (said.outside()) v.findings |= bit(finding::outside);
-  if (v.spurious != 0 && far_spurious(t, is, said) != 0) v.findings |= bit(finding::far_spurious);
+  if (v.crossed_missed != 0)
+    v.findings |= bit(finding::crossed_miss);
+  if (v.gaps != 0)
+    v.findings |= bit(finding::gap);
+  if ((v.missed & ~v.crossed_missed) != 0)
+    v.findings |= bit(finding::miss);
+  if (v.order_error)
+    v.findings |= bit(finding::order);
+  if (said.repeated())
+    v.findings |= bit(finding::revisit);
+  if (said.outside())
+    v.findings |= bit(finding::outside);
+  if (v.spurious != 0 && far_spurious(t, is, said) != 0)
+    v.findings |= bit(finding::far_spurious);
   return v;
 }
 

@@ -20,7 +20,8 @@ public:
   const std::string& reason() const { return reason_; }
 
   const json* member(const json& object, const char* key) {
-    if (!object.is_object() || !object.contains(key)) return refuse(fmt::format("no \"{}\"", key)), nullptr;
+    if (!object.is_object() || !object.contains(key))
+      return refuse(fmt::format("no \"{}\"", key)), nullptr;
     return &object.at(key);
   }
   double number(const json& value, const char* what) {
@@ -29,24 +30,29 @@ public:
       x = parse_number(value.get_ref<const std::string&>());
     else if (value.is_number())
       x = value.get<double>();
-    if (!x || !std::isfinite(*x)) return refuse(fmt::format("\"{}\" is not a finite number", what)), 0;
+    if (!x || !std::isfinite(*x))
+      return refuse(fmt::format("\"{}\" is not a finite number", what)), 0;
     return *x;
   }
   vec3 vector(const json& object, const char* key) {
     vec3 v{};
     const json* value = member(object, key);
-    if (value == nullptr) return v;
+    if (value == nullptr)
+      return v;
     if (!value->is_array() || value->size() != 3)
       return refuse(fmt::format("\"{}\" is not an array of three numbers", key)), v;
-    for (unsigned a = 0; a < 3; ++a) v[a] = number((*value)[a], key);
+    for (unsigned a = 0; a < 3; ++a)
+      v[a] = number((*value)[a], key);
     return v;
   }
   cube box(const json& object, const char* key) {
     cube c{{0, 0, 0}, 1};
     const json* value = member(object, key);
-    if (value == nullptr) return c;
+    if (value == nullptr)
+      return c;
     c.lo = vector(*value, "lo");
-    if (const json* size = member(*value, "size")) c.size = number(*size, "size");
+    if (const json* size = member(*value, "size"))
+      c.size = number(*size, "size");
     return c;
   }
   std::array<std::uint8_t, 3> extent(const json& value) {
@@ -62,7 +68,8 @@ public:
 
 private:
   void refuse(std::string why) {
-    if (reason_.empty()) reason_ = std::move(why);
+    if (reason_.empty())
+      reason_ = std::move(why);
   }
   std::string reason_;
 };
@@ -77,22 +84,27 @@ std::string to_json_line(const trial& t) {
   line["direction"] = spelled(t.direction);
   line["octant"] = {{"lo", spelled(t.octant(0).lo)}, {"size", hex(t.size())}};
   line["root"] = {{"lo", spelled(t.root.lo)}, {"size", hex(t.root.size)}};
-  if (t.extent != std::array<std::uint8_t, 3>{1, 1, 1}) line["extent"] = t.extent;
+  if (t.extent != std::array<std::uint8_t, 3>{1, 1, 1})
+    line["extent"] = t.extent;
   return line.dump();
 }
 
 expected<trial> from_json_line(std::string_view text) {
   const json line = json::parse(text, nullptr, false);
-  if (line.is_discarded()) return unexpected{"not JSON"};
-  if (!line.is_object()) return unexpected{"not a JSON object"};
+  if (line.is_discarded())
+    return unexpected{"not JSON"};
+  if (!line.is_object())
+    return unexpected{"not a JSON object"};
   reader read;
   const vec3 origin = read.vector(line, "origin");
   const vec3 direction = read.vector(line, "direction");
   const cube octant = read.box(line, "octant");
   const cube root = line.contains("root") ? read.box(line, "root") : cube{{0, 0, 0}, 1};
   std::array<std::uint8_t, 3> extent{1, 1, 1};
-  if (line.contains("extent")) extent = read.extent(line.at("extent"));
-  if (!read.reason().empty()) return unexpected{read.reason()};
+  if (line.contains("extent"))
+    extent = read.extent(line.at("extent"));
+  if (!read.reason().empty())
+    return unexpected{read.reason()};
   return trial_of_octant(origin, direction, octant, root, extent);
 }
 
@@ -107,13 +119,17 @@ expected<std::vector<replay_case>> read_replay_file(const std::string& path) {
   std::vector<replay_case> cases;
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (line.find_first_not_of(" \t\r") == std::string::npos)
+      continue;
     auto t = from_json_line(line);
-    if (!t) return unexpected{fmt::format("{}:{}: {}", path, number, t.reason())};
+    if (!t)
+      return unexpected{fmt::format("{}:{}: {}", path, number, t.reason())};
     cases.push_back({number, *t});
   }
-  if (in.bad()) return unexpected{fmt::format("cannot read {}", path)};
-  if (cases.empty()) return unexpected{fmt::format("{} holds no replay line", path)};
+  if (in.bad())
+    return unexpected{fmt::format("cannot read {}", path)};
+  if (cases.empty())
+    return unexpected{fmt::format("{} holds no replay line", path)};
   return cases;
 }
 
@@ -130,10 +146,14 @@ replay_result replay(const trial& t, traversal& under_test) {
     const voxel_set only = voxel_set{1} << v;
     unsigned closed = 0; // the faces of this octant that are the root's far faces
     for (unsigned a = 0; a < 3; ++a)
-      if ((far_faces >> a & 1) != 0 && (v >> (2 * a) & 3) + 1u == t.extent[a]) closed |= 1u << a;
-    if (oracle::rational::touches(t.origin, t.direction, box.lo, hi)) r.touches |= only;
-    if (oracle::rational::crosses(t.origin, t.direction, box.lo, hi)) r.crosses |= only;
-    if (oracle::rational::owns(t.origin, t.direction, box.lo, hi, closed)) r.owns |= only;
+      if ((far_faces >> a & 1) != 0 && (v >> (2 * a) & 3) + 1u == t.extent[a])
+        closed |= 1u << a;
+    if (oracle::rational::touches(t.origin, t.direction, box.lo, hi))
+      r.touches |= only;
+    if (oracle::rational::crosses(t.origin, t.direction, box.lo, hi))
+      r.crosses |= only;
+    if (oracle::rational::owns(t.origin, t.direction, box.lo, hi, closed))
+      r.owns |= only;
   }
   // order, gaps and the rest need the steps; the sets are the rational ones
   truth is = truth_of(t);
@@ -144,7 +164,8 @@ replay_result replay(const trial& t, traversal& under_test) {
   return r;
 }
 
-std::string to_json_line(const replay_case& c, const replay_result& r, std::string_view traversal_name) {
+std::string to_json_line(const replay_case& c, const replay_result& r,
+                         std::string_view traversal_name) {
   json line;
   line["line"] = c.line;
   line["traversal"] = traversal_name;
@@ -154,7 +175,8 @@ std::string to_json_line(const replay_case& c, const replay_result& r, std::stri
   line["visited"] = r.visited != 0;
   line["findings"] = json::array();
   for (unsigned k = 0; k < finding_kinds; ++k)
-    if ((r.findings >> k & 1) != 0) line["findings"].push_back(name_of(static_cast<finding>(k)));
+    if ((r.findings >> k & 1) != 0)
+      line["findings"].push_back(name_of(static_cast<finding>(k)));
   if (std::popcount(c.at.all()) > 1)
     for (voxel_set left = c.at.all(); left != 0; left &= left - 1) {
       const auto v = static_cast<voxel>(std::countr_zero(left));

@@ -15,7 +15,8 @@ class candidates {
 public:
   explicit candidates(const trial& t) : now_(complexity_of(t)) {}
   void offer(const trial& t) {
-    if (complexity_of(t) < now_ && refusal(t).empty()) found_.push_back(t);
+    if (complexity_of(t) < now_ && refusal(t).empty())
+      found_.push_back(t);
   }
   std::vector<trial> take() { return std::move(found_); }
 
@@ -28,12 +29,14 @@ void offer_fewer_octants(const trial& t, candidates& out) {
   for (voxel_set left = t.all(); left != 0 && std::popcount(t.all()) > 1; left &= left - 1) {
     const int v = std::countr_zero(left); // one octant alone
     trial one = t;
-    for (unsigned a = 0; a < 3; ++a) one.base[a] += static_cast<unsigned>(v) >> (2 * a) & 3u;
+    for (unsigned a = 0; a < 3; ++a)
+      one.base[a] += static_cast<unsigned>(v) >> (2 * a) & 3u;
     one.extent = {1, 1, 1};
     out.offer(one);
   }
   for (unsigned a = 0; a < 3; ++a) {
-    if (t.extent[a] == 1) continue;
+    if (t.extent[a] == 1)
+      continue;
     trial cut = t;
     --cut.extent[a];
     out.offer(cut);
@@ -44,11 +47,13 @@ void offer_fewer_octants(const trial& t, candidates& out) {
 
 /// The ancestors of the block's first octant, which the ray may miss already.
 void offer_ancestors(const trial& t, candidates& out) {
-  if (t.extent != std::array<std::uint8_t, 3>{1, 1, 1}) return;
+  if (t.extent != std::array<std::uint8_t, 3>{1, 1, 1})
+    return;
   for (int level = 0; level < t.level; ++level) {
     trial up = t;
     up.level = level;
-    for (auto& b : up.base) b >>= t.level - level;
+    for (auto& b : up.base)
+      b >>= t.level - level;
     out.offer(up);
   }
 }
@@ -64,17 +69,20 @@ void offer_zoom(const trial& t, candidates& out) {
       const std::uint64_t corner = t.base[a] >> in.level; // of the descendant, in its own sizes
       held = held && (t.base[a] + t.extent[a] - 1u) >> in.level == corner;
       in.base[a] = t.base[a] - (corner << in.level);
-      const double lo = t.root.lo[a] + static_cast<double>(corner) * std::ldexp(t.root.size, -levels);
+      const double lo =
+          t.root.lo[a] + static_cast<double>(corner) * std::ldexp(t.root.size, -levels);
       in.origin[a] = t.root.lo[a] + std::ldexp(t.origin[a] - lo, levels);
     }
-    if (held) out.offer(in);
+    if (held)
+      out.offer(in);
   }
   // the block moved towards the root's corner, and the ray with it
   for (unsigned a = 0; a < 3; ++a)
     for (int high = t.level; high >= 0; --high) {
       trial moved = t;
       moved.base[a] &= (std::uint64_t{1} << high) - 1;
-      if (moved.base[a] == t.base[a]) continue;
+      if (moved.base[a] == t.base[a])
+        continue;
       moved.origin[a] -= static_cast<double>(t.base[a] - moved.base[a]) * t.size();
       out.offer(moved);
     }
@@ -82,7 +90,8 @@ void offer_zoom(const trial& t, candidates& out) {
     for (int low = t.level; low >= 1; --low) {
       trial moved = t;
       moved.base[a] = moved.base[a] >> low << low;
-      if (moved.base[a] != t.base[a]) out.offer(moved);
+      if (moved.base[a] != t.base[a])
+        out.offer(moved);
     }
 }
 
@@ -99,7 +108,8 @@ void offer_fewer_bits(const trial& t, candidates& out) {
   // all six at once, by the same width
   for (const int n : widths) {
     trial all = t;
-    for (unsigned i = 0; i < 6; ++i) number(all, i) = keep_bits(number(t, i), n);
+    for (unsigned i = 0; i < 6; ++i)
+      number(all, i) = keep_bits(number(t, i), n);
     out.offer(all);
   }
   // the origin rounded and the ray led again through a corner that it passes near
@@ -108,13 +118,16 @@ void offer_fewer_bits(const trial& t, candidates& out) {
       trial again = t;
       for (unsigned a = 0; a < 3; ++a) {
         again.origin[a] = keep_bits(t.origin[a], n);
-        again.direction[a] = t.plane(static_cast<int>(a), (corner >> a & 1) != 0 ? t.extent[a] : 0u) - again.origin[a];
+        again.direction[a] =
+            t.plane(static_cast<int>(a), (corner >> a & 1) != 0 ? t.extent[a] : 0u) -
+            again.origin[a];
       }
       out.offer(again);
     }
   for (unsigned i = 0; i < 6; ++i) {
     const double x = number(t, i);
-    if (x == 0) continue;
+    if (x == 0)
+      continue;
     trial one = t;
     const auto put = [&](double y) {
       number(one, i) = y;
@@ -124,13 +137,16 @@ void offer_fewer_bits(const trial& t, candidates& out) {
     put(std::copysign(1.0, x));
     put(std::fabs(x));
     for (const int n : widths)
-      for (const double y : rounded(x, n)) put(y);
+      for (const double y : rounded(x, n))
+        put(y);
     if (const int bits = significant_bits(x); bits > 1)
-      for (const double y : rounded(x, bits - 1)) put(y);
+      for (const double y : rounded(x, bits - 1))
+        put(y);
     int exponent = 0;
     const double significand = std::frexp(x, &exponent);
     put(significand);
-    for (int closer = exponent / 2; closer != 0; closer /= 2) put(std::ldexp(x, -closer));
+    for (int closer = exponent / 2; closer != 0; closer /= 2)
+      put(std::ldexp(x, -closer));
     put(std::ldexp(x, exponent > 0 ? -1 : 1));
   }
   // origin and direction of an axis together
@@ -144,7 +160,8 @@ void offer_fewer_bits(const trial& t, candidates& out) {
     for (const int n : widths)
       for (unsigned far = 0; far < 2; ++far) {
         both.origin[a] = keep_bits(t.origin[a], n);
-        both.direction[a] = t.plane(static_cast<int>(a), far != 0 ? t.extent[a] : 0u) - both.origin[a];
+        both.direction[a] =
+            t.plane(static_cast<int>(a), far != 0 ? t.extent[a] : 0u) - both.origin[a];
         out.offer(both);
       }
   }
@@ -154,10 +171,12 @@ void offer_fewer_bits(const trial& t, candidates& out) {
 void offer_scale(const trial& t, candidates& out) {
   int largest = INT32_MIN;
   for (const double d : t.direction)
-    if (d != 0) largest = std::max(largest, std::ilogb(d));
+    if (d != 0)
+      largest = std::max(largest, std::ilogb(d));
   for (int by = largest; by != 0; by /= 2) {
     trial scaled = t;
-    for (unsigned a = 0; a < 3; ++a) scaled.direction[a] = std::ldexp(t.direction[a], -by);
+    for (unsigned a = 0; a < 3; ++a)
+      scaled.direction[a] = std::ldexp(t.direction[a], -by);
     out.offer(scaled);
   }
 }
@@ -167,12 +186,15 @@ void offer_scale(const trial& t, candidates& out) {
 complexity complexity_of(const trial& t) {
   complexity c{t.extent[0] * t.extent[1] * t.extent[2], t.level, 0, 0};
   for (unsigned a = 0; a < 3; ++a)
-    if (t.base[a] != 0) c.significant += 64 - std::countl_zero(t.base[a]) - std::countr_zero(t.base[a]);
+    if (t.base[a] != 0)
+      c.significant += 64 - std::countl_zero(t.base[a]) - std::countr_zero(t.base[a]);
   for (unsigned i = 0; i < 6; ++i) {
     const double x = number(t, i);
     c.significant += significant_bits(x);
-    if (x != 0) c.exponents += 2 * std::abs(std::ilogb(x));
-    if (std::signbit(x)) ++c.exponents;
+    if (x != 0)
+      c.exponents += 2 * std::abs(std::ilogb(x));
+    if (std::signbit(x))
+      ++c.exponents;
   }
   return c;
 }
@@ -187,12 +209,14 @@ std::vector<trial> simpler(const trial& t) {
   return out.take();
 }
 
-trial shrink(const trial& failing, const std::function<bool(const trial&)>& still_fails, unsigned evaluations) {
+trial shrink(const trial& failing, const std::function<bool(const trial&)>& still_fails,
+             unsigned evaluations) {
   trial best = failing;
   for (bool again = true; again;) {
     again = false;
     for (const trial& t : simpler(best)) {
-      if (evaluations-- == 0) return best;
+      if (evaluations-- == 0)
+        return best;
       if (still_fails(t)) {
         best = t;
         again = true;
@@ -205,7 +229,8 @@ trial shrink(const trial& failing, const std::function<bool(const trial&)>& stil
 
 trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations) {
   return shrink(
-      failing, [&](const trial& t) { return (judge(t, under_test).findings & bit(kind)) != 0; }, evaluations);
+      failing, [&](const trial& t) { return (judge(t, under_test).findings & bit(kind)) != 0; },
+      evaluations);
 }
 
 } // namespace graze::fuzz

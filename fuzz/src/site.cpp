@@ -21,16 +21,20 @@ std::uint64_t coarse_index(random_stream& random, const trial& t, int coarse) {
 
 site site_at(const trial& t, const std::array<std::uint64_t, 3>& index) {
   site s{index, {}};
-  for (int a = 0; a < 3; ++a) s.vertex[a] = t.root.lo[a] + static_cast<double>(index[a]) * t.size();
+  for (int a = 0; a < 3; ++a)
+    s.vertex[a] = t.root.lo[a] + static_cast<double>(index[a]) * t.size();
   return s;
 }
 
 site pick_site(random_stream& random, const trial& t) {
   const unsigned kind = random.below(16);
-  if (kind == 0) return pick_root_site(random, t);
-  if (kind == 1) return pick_coarse_site(random, t);
+  if (kind == 0)
+    return pick_root_site(random, t);
+  if (kind == 1)
+    return pick_coarse_site(random, t);
   std::array<std::uint64_t, 3> index{};
-  for (auto& i : index) i = inner_index(random, t);
+  for (auto& i : index)
+    i = inner_index(random, t);
   if (kind == 2) { // one plane of a coarse level, or the one beside it
     auto& i = index[random.below(3)];
     i = coarse_index(random, t, random.between(1, t.level)) + random.below(3) - 1;
@@ -50,8 +54,10 @@ site pick_root_site(random_stream& random, const trial& t) {
 site pick_coarse_site(random_stream& random, const trial& t) {
   std::array<std::uint64_t, 3> index{};
   const int coarse = random.between(1, t.level);
-  for (auto& i : index) i = coarse_index(random, t, random.coin() ? coarse : random.between(1, t.level));
-  if (random.one_in(3)) index[random.below(3)] = inner_index(random, t);
+  for (auto& i : index)
+    i = coarse_index(random, t, random.coin() ? coarse : random.between(1, t.level));
+  if (random.one_in(3))
+    index[random.below(3)] = inner_index(random, t);
   return site_at(t, index);
 }
 
@@ -91,7 +97,8 @@ double exact_origin(double v, double offset) {
   for (int bits = 53; bits > 0; bits -= 9) {
     const double coarse = keep_bits(offset, bits);
     const double o = v - coarse;
-    if (exact(o)) return o;
+    if (exact(o))
+      return o;
   }
   return v;
 }
@@ -100,7 +107,8 @@ void scale(vec3& direction, int k) {
   vec3 scaled;
   for (unsigned a = 0; a < 3; ++a) {
     scaled[a] = std::ldexp(direction[a], k);
-    if (!std::isfinite(scaled[a]) || std::ldexp(scaled[a], -k) != direction[a]) return;
+    if (!std::isfinite(scaled[a]) || std::ldexp(scaled[a], -k) != direction[a])
+      return;
   }
   direction = scaled;
 }
@@ -112,7 +120,8 @@ double small_integer(random_stream& random, int bits) {
 vec3 random_direction(random_stream& random) {
   vec3 d;
   const unsigned zeros = random.below(8) == 0 ? random.below(7) : 0; // never all three
-  for (unsigned a = 0; a < 3; ++a) d[a] = (zeros >> a & 1) != 0 ? 0 : random_double(random, -2, 0);
+  for (unsigned a = 0; a < 3; ++a)
+    d[a] = (zeros >> a & 1) != 0 ? 0 : random_double(random, -2, 0);
   return d;
 }
 

@@ -24,8 +24,8 @@ std::unique_ptr<traversal> sound_nearest() {
   return std::make_unique<method_traversal<octree::sound<rounding::nearest, convention::owned>>>(
       "sound-nearest", promise::owned);
 }
-// The baselines leave octants out on purpose that they only touch (the paper's strict overlap), so a
-// miss of theirs is a crossed octant.
+// The baselines leave octants out on purpose that they only touch (the paper's strict overlap), so
+// a miss of theirs is a crossed octant.
 std::unique_ptr<traversal> published() {
   return std::make_unique<method_traversal<octree::published>>("published", promise::crossed);
 }
@@ -45,7 +45,8 @@ const std::vector<traversal_entry>& traversals() {
       {"sound-nearest", "as sound, on the backend that needs no rounding mode", sound_nearest},
       {"published", "the paper's ray voxelization to the letter", published},
       {"plain", "the sound formulas in round to nearest", plain},
-      {"gargantini", "mid-plane intersections sorted in t (Gargantini and Atkinson 1993)", gargantini},
+      {"gargantini", "mid-plane intersections sorted in t (Gargantini and Atkinson 1993)",
+       gargantini},
   };
   return all;
 }
@@ -53,7 +54,8 @@ const std::vector<traversal_entry>& traversals() {
 const traversal_entry* find_traversal(std::string_view name) {
   for (const auto* list : {&traversals(), &mutants()})
     for (const traversal_entry& entry : *list)
-      if (entry.name == name) return &entry;
+      if (entry.name == name)
+        return &entry;
   return nullptr;
 }
 

@@ -8,8 +8,8 @@
 
 namespace graze::fuzz {
 
-/// A way of making rays. `make` fills a trial whose root and level are set (level 1..53, a root that
-/// root_cube accepts at that level); what it makes passes refusal().
+/// A way of making rays. `make` fills a trial whose root and level are set (level 1..53, a root
+/// that root_cube accepts at that level); what it makes passes refusal().
 struct generator {
   std::string_view name;
   std::string_view summary;

@@ -18,7 +18,8 @@ public:
     const M method(*ray);
     if (t.level == 0) { // the root itself is the octant in question
       typename M::state state{};
-      if (method.enter(t.root, state)) out.push(0);
+      if (method.enter(t.root, state))
+        out.push(0);
       return;
     }
     const block_tree tree(t);

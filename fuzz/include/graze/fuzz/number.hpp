@@ -16,8 +16,10 @@ inline double step_ulps(double x, int n) {
   std::int64_t place = bits < 0 ? INT64_MIN - bits : bits;
   constexpr std::int64_t last = 0x7fefffffffffffff;
   place += n;
-  if (place > last) place = last;
-  if (place < -last) place = -last;
+  if (place > last)
+    place = last;
+  if (place < -last)
+    place = -last;
   return std::bit_cast<double>(place < 0 ? INT64_MIN - place : place);
 }
 
@@ -25,8 +27,10 @@ inline double step_ulps(double x, int n) {
 inline int significant_bits(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   std::uint64_t significand = bits & 0xfffffffffffffu;
-  if ((bits >> 52 & 0x7ff) != 0) significand |= std::uint64_t{1} << 52;
-  if (significand == 0) return 0;
+  if ((bits >> 52 & 0x7ff) != 0)
+    significand |= std::uint64_t{1} << 52;
+  if (significand == 0)
+    return 0;
   return 64 - std::countl_zero(significand) - std::countr_zero(significand);
 }
 
@@ -34,8 +38,10 @@ inline int significant_bits(double x) {
 inline double keep_bits(double x, int n) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   int length = 53;
-  if ((bits >> 52 & 0x7ff) == 0) length = 64 - std::countl_zero(bits & 0xfffffffffffffu);
-  if (n >= length) return x;
+  if ((bits >> 52 & 0x7ff) == 0)
+    length = 64 - std::countl_zero(bits & 0xfffffffffffffu);
+  if (n >= length)
+    return x;
   return std::bit_cast<double>(bits >> (length - n) << (length - n));
 }
 

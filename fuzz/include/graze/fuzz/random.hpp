@@ -16,13 +16,14 @@ constexpr std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// The stream `index` of `seed`: ray k of a campaign is stream k, so that it can be made again alone,
-/// whichever thread made it first.
+/// The stream `index` of `seed`: ray k of a campaign is stream k, so that it can be made again
+/// alone, whichever thread made it first.
 class random_stream {
 public:
   random_stream(std::uint64_t seed, std::uint64_t index) {
     std::uint64_t x = mix(seed) ^ mix(~index);
-    for (auto& word : state_) word = mix(x++);
+    for (auto& word : state_)
+      word = mix(x++);
   }
 
   std::uint64_t bits() {
@@ -43,7 +44,9 @@ public:
     return static_cast<unsigned>(((bits() >> 32) * std::uint64_t{n}) >> 32);
   }
   /// Uniform in lo..hi.
-  int between(int lo, int hi) { return lo + static_cast<int>(below(static_cast<unsigned>(hi - lo) + 1)); }
+  int between(int lo, int hi) {
+    return lo + static_cast<int>(below(static_cast<unsigned>(hi - lo) + 1));
+  }
   /// True once in n times.
   bool one_in(unsigned n) { return below(n) == 0; }
   bool coin() { return (bits() >> 63) != 0; }

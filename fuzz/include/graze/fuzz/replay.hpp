@@ -6,8 +6,8 @@
 ///    "root":{"lo":["0x0p+0","0x0p+0","0x0p+0"],"size":"0x1p+0"}}
 ///
 /// Numbers are hex floats in strings; decimal strings and JSON numbers are read too. `root` may be
-/// left out ([0,1]^3). `"extent":[x,y,z]`, 1..4 each, makes it a block whose first octant is `octant`
-/// (an order error needs two). Other members (a comment, a name) are left alone.
+/// left out ([0,1]^3). `"extent":[x,y,z]`, 1..4 each, makes it a block whose first octant is
+/// `octant` (an order error needs two). Other members (a comment, a name) are left alone.
 #include <graze/fuzz/properties.hpp>
 #include <string>
 #include <vector>
@@ -37,8 +37,9 @@ struct replay_result {
 };
 replay_result replay(const trial& t, traversal& under_test);
 
-/// One JSON object on one line: line, traversal, touches, crosses, owns, visited, findings, and for a
-/// block the same for each octant.
-std::string to_json_line(const replay_case& c, const replay_result& r, std::string_view traversal_name);
+/// One JSON object on one line: line, traversal, touches, crosses, owns, visited, findings, and for
+/// a block the same for each octant.
+std::string to_json_line(const replay_case& c, const replay_result& r,
+                         std::string_view traversal_name);
 
 } // namespace graze::fuzz

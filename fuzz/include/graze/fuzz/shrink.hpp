@@ -20,11 +20,13 @@ complexity complexity_of(const trial& t);
 /// complexity. Whether one still fails is the caller's to judge.
 std::vector<trial> simpler(const trial& t);
 
-/// Greedy: takes the first simpler trial that still fails, until none does or `evaluations` are used.
+/// Greedy: takes the first simpler trial that still fails, until none does or `evaluations` are
+/// used.
 trial shrink(const trial& failing, const std::function<bool(const trial&)>& still_fails,
              unsigned evaluations = 200'000);
 
 /// The same for a traversal: keeps `kind` among the findings, judged exactly each time.
-trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations = 200'000);
+trial shrink(const trial& failing, traversal& under_test, finding kind,
+             unsigned evaluations = 200'000);
 
 } // namespace graze::fuzz

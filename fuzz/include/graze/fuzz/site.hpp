@@ -23,18 +23,19 @@ site pick_coarse_site(random_stream& random, const trial& t);
 /// The vertex at these indices.
 site site_at(const trial& t, const std::array<std::uint64_t, 3>& index);
 
-/// Occupies the 2x2x2 octants around the vertex (those that are in the root), at times one more layer.
+/// Occupies the 2x2x2 octants around the vertex (those that are in the root), at times one more
+/// layer.
 void occupy(random_stream& random, trial& t, const site& s);
 
 /// A random double with a random number of significant bits and an exponent between the given ones.
 double random_double(random_stream& random, int lowest_exponent, int highest_exponent);
 
-/// A distance from 0 to about the root's size, either sign, log-uniform, a multiple of the root's size
-/// times 2^-53.
+/// A distance from 0 to about the root's size, either sign, log-uniform, a multiple of the root's
+/// size times 2^-53.
 double random_offset(random_stream& random, const trial& t);
 
-/// The origin o nearest to v - offset for which v - o is an exact double; v itself when offset is too
-/// fine. Then the ray o + t (v - o) goes through v to the last bit.
+/// The origin o nearest to v - offset for which v - o is an exact double; v itself when offset is
+/// too fine. Then the ray o + t (v - o) goes through v to the last bit.
 double exact_origin(double v, double offset);
 
 /// Multiplies a direction by 2^k, where that is exact, and leaves it where it is not.

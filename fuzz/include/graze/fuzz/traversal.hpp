@@ -9,8 +9,8 @@
 namespace graze::fuzz {
 
 /// Which octants a traversal promises to report; its misses are judged by this promise.
-/// `touched`: every octant whose closed box the ray meets. `owned`: every octant that owns a point of
-/// the ray, front to back. `crossed`: only those whose open interior the ray meets.
+/// `touched`: every octant whose closed box the ray meets. `owned`: every octant that owns a point
+/// of the ray, front to back. `crossed`: only those whose open interior the ray meets.
 enum class promise { touched, owned, crossed };
 
 std::string_view name_of(promise p);
@@ -54,8 +54,8 @@ struct traversal {
   virtual ~traversal() = default;
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual promise promises() const = 0;
-  /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in order.
-  /// `t` has passed refusal().
+  /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in
+  /// order. `t` has passed refusal().
   virtual void visit(const trial& t, visited& out) = 0;
 };
 

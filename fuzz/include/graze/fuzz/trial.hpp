@@ -45,7 +45,8 @@ struct trial {
   [[nodiscard]] unsigned at_far_face() const {
     unsigned faces = 0;
     for (int a = 0; a < 3; ++a)
-      if (base[a] + extent[a] == std::uint64_t{1} << level) faces |= 1u << a;
+      if (base[a] + extent[a] == std::uint64_t{1} << level)
+        faces |= 1u << a;
     return faces;
   }
   /// Bit a is set where the block starts at the root's near face of axis a.
@@ -56,7 +57,8 @@ struct trial {
     voxel_set set = 0;
     for (unsigned z = 0; z < extent[2]; ++z)
       for (unsigned y = 0; y < extent[1]; ++y)
-        for (unsigned x = 0; x < extent[0]; ++x) set |= voxel_set{1} << voxel_at(x, y, z);
+        for (unsigned x = 0; x < extent[0]; ++x)
+          set |= voxel_set{1} << voxel_at(x, y, z);
     return set;
   }
 
@@ -70,6 +72,7 @@ std::string refusal(const trial& t);
 /// The trial of a single octant given by its corner and size. Refuses an octant that is not one of
 /// the root's octree, and what refusal() refuses.
 expected<trial> trial_of_octant(const vec3& origin, const vec3& direction, const cube& octant,
-                                const cube& root, const std::array<std::uint8_t, 3>& extent = {1, 1, 1});
+                                const cube& root,
+                                const std::array<std::uint8_t, 3>& extent = {1, 1, 1});
 
 } // namespace graze::fuzz
