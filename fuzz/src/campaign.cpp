@@ -24,6 +24,8 @@ constexpr std::uint64_t piece = 1024;
 
 /// What the threads share.
 struct shared_state {
+  shared_state(const campaign_plan& plan_, const std::atomic<bool>& stop_)
+      : plan(plan_), stop(stop_) {}
   const campaign_plan& plan;
   const std::atomic<bool>& stop;
   clock::time_point start = clock::now();
@@ -31,7 +33,7 @@ struct shared_state {
   std::atomic<std::uint64_t> done{0};
   std::atomic<unsigned> running{0};
   std::mutex merging;
-  campaign_result result{};
+  campaign_result result;
 };
 
 void work(shared_state& shared) {
@@ -129,7 +131,7 @@ trial trial_of(const campaign_plan& plan, std::uint64_t index) {
 
 campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,
                              const std::function<void(std::uint64_t, double)>& progress) {
-  shared_state shared{plan, stop};
+  shared_state shared(plan, stop);
   shared.result.by_generator.resize(plan.generators.size());
   const unsigned threads = std::max(1u, plan.threads);
   shared.running = threads;

@@ -2,6 +2,7 @@
 #include <graze/fuzz/number.hpp>
 #include <graze/fuzz/replay.hpp>
 #include <graze/fuzz/report.hpp>
+#include <graze/fuzz/shrink.hpp>
 #include <nlohmann/json.hpp>
 
 namespace graze::fuzz {

@@ -14,7 +14,7 @@ public:
 
   void visit(const trial& t, visited& out) override {
     const auto ray = octree::ray::make(t.origin, t.direction);
-    const typename M::scope in_mode;
+    [[maybe_unused]] const typename M::scope in_mode;
     const M method(*ray);
     if (t.level == 0) { // the root itself is the octant in question
       typename M::state state{};
