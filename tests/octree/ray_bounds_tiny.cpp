@@ -61,7 +61,7 @@ template <class B> tally try_all(const std::vector<tiny>& values, const std::vec
               const auto axes = bounds::prepare(o, d);
               for (std::size_t i = 0; i + 1 < values.size(); i += 4)
                 for (std::size_t j = i + 1; j < values.size(); j += 5)
-                  for (std::size_t k = 0; k + 1 < few.size(); ++k) {
+                  for (std::size_t k = 0; k + 1 < few.size(); k += 2) {
                     const triple lo{few[k], values[i], few[k]};
                     const triple hi{few[k + 1], values[j], few[k + 1]};
                     const auto in = [](const triple& t) {
@@ -100,7 +100,7 @@ std::vector<tiny> few() {
 
 TEST_CASE("octree.ray_bounds: over a tiny float no touched box is missed", "[exhaustive]") {
   const tally sound = try_all<exhaustive::tiny_backend<tiny>>(tiny::finite(), few());
-  WARN(sound.pairs << " pairs, " << sound.touched << " touched");
+  INFO(sound.pairs << " pairs, " << sound.touched << " touched");
   CHECK(sound.pairs > 10'000'000);
   CHECK(sound.touched > 100'000);
   CHECK(sound.missed == 0);
