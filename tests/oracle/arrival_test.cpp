@@ -3,6 +3,7 @@
 #include <gmpxx.h>
 #include <graze/oracle/arrival.hpp>
 #include <random>
+#include <xmmintrin.h>
 
 using namespace graze::oracle;
 
@@ -100,4 +101,25 @@ TEST_CASE("oracle.arrival: the filter leaves to exact arithmetic what doubles ge
   CHECK(compare({most, least, most}, {most, -least, most}) == -1); // differ 2098 bits below
   CHECK(compare({most, least, most}, {most, 0, most}) == -1);
   CHECK(compare({most, least, 1}, {most, least, 1}) == 0);
+}
+
+TEST_CASE("oracle.arrival: products that underflow and differences that overflow are not filtered",
+          "[hardcase]") {
+  // In units of 2^-1074, a's product is 2.5 + 2^-52 + 2^-105 and becomes 3 by two roundings up; b's
+  // is 2.5 + 1.25 * 2^-52, the greater, and becomes 2 by two roundings down.
+  const arrival a(0x1.4000000000001p+1, 0x1p-52 - 0x1p-105, 5 * 0x1p-1074);
+  const arrival b(.5, -0x1p-54, 0x1p-1074);
+  REQUIRE(a.distance * b.speed > b.distance * a.speed);
+  CHECK(compare(a, b) == -1);
+  CHECK(compare(b, a) == 1);
+  // Rounding down or to zero, 2^1025 becomes the largest double, not infinity: half of what it is.
+  const unsigned found = _mm_getcsr();
+  for (const unsigned mode : {0x0000u, 0x2000u, 0x4000u, 0x6000u}) {
+    const volatile double most = 0x1.fffffffffffffp+1023;
+    _mm_setcsr((found & ~0x6000u) | mode);
+    const int sign = compare(arrival(most, -most, 1), arrival(1.5, 0, 0x1p-1024));
+    _mm_setcsr(found);
+    CAPTURE(mode);
+    CHECK(sign == 1); // 2 against 1.5
+  }
 }
