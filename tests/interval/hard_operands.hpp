@@ -72,8 +72,8 @@ public:
 
   /// k doubles further from zero (k < 0: nearer), within one sign.
   static double step(double x, int k) {
-    const auto bits = std::bit_cast<std::int64_t>(x) + k;
-    return bits < 0 ? 0 : std::bit_cast<double>(bits);
+    const auto bits = std::bit_cast<std::int64_t>(std::fabs(x)) + k;
+    return std::copysign(bits < 0 ? 0 : std::bit_cast<double>(bits), x);
   }
   double nudged(double x) { return step(x, static_cast<int>(below(5)) - 2); }
 

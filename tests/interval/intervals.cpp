@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <graze/interval.hpp>
 #include <graze/oracle/rounding.hpp>
 #include <graze/rounding/split.hpp>
@@ -11,6 +12,7 @@
 #include <graze/rounding/upward.hpp>
 #include <limits>
 #include <optional>
+#include <string>
 
 namespace rounding = graze::rounding;
 using graze::oracle::mpfr;
@@ -129,19 +131,21 @@ void judge(const char* what, const set& x, const set& y, const I& r, const set& 
     return;
   if (++failures > 10)
     return;
-  const auto print = [](const char* name, const set& s) {
-    return s ? UNSCOPED_INFO(name << " [" << s->lower << ", " << s->upper << "]")
-             : UNSCOPED_INFO(name << " empty");
+  const auto text = [](const set& s) {
+    char buffer[80] = "empty";
+    if (s)
+      std::snprintf(buffer, sizeof buffer, "[%a, %a]", s->lower, s->upper);
+    return std::string(buffer);
   };
-  UNSCOPED_INFO(what << " gives [" << r.lower() << ", " << r.upper() << "]");
-  print("tightest", t), print("x", x), print("y", y);
+  UNSCOPED_INFO(what << " gives " << text(ends{r.lower(), r.upper()}) << ", tightest " << text(t)
+                     << ", x " << text(x) << ", y " << text(y));
 }
 
 /// Members of a set: its finite ends, and what lies near them.
 std::array<double, 3> members(hard_operands& make, const ends& e) {
   constexpr double largest = std::numeric_limits<double>::max();
   const double a = std::max(e.lower, -largest), b = std::min(e.upper, largest);
-  return {a, b, std::clamp(make.nudged(make.coin() ? a : b), a, b)};
+  return {a, b, std::clamp(hard_operands::step(make.coin() ? a : b, make.coin() ? 1 : -1), a, b)};
 }
 
 } // namespace
