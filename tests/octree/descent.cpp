@@ -26,7 +26,7 @@ struct full_tree {
 };
 
 template <class M> std::vector<cube> visited(const ray& r, const cube& root, int level) {
-  const typename M::scope scope;
+  [[maybe_unused]] const typename M::scope scope;
   const M method(r);
   std::vector<cube> cells;
   descend(method, root, level, full_tree{}, [&](const cube& cell, int, const auto&) {

@@ -4,6 +4,7 @@
 #include <graze/octree/sound.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <graze/rounding/upward.hpp>
+#include <xmmintrin.h>
 
 using namespace graze;
 using namespace graze::octree;
@@ -18,7 +19,7 @@ struct scenario {
 };
 
 template <class M> bool passes(const scenario& s) {
-  const typename M::scope scope;
+  [[maybe_unused]] const typename M::scope scope;
   const M method(*ray::make(s.origin, s.direction));
   typename M::state state;
   return method.enter(s.octant, state);

@@ -6,15 +6,15 @@
 using namespace graze::octree;
 
 namespace {
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 } // namespace
 
 TEST_CASE("octree.ray: refuses what is not a ray, with the reason", "[unit]") {
-  CHECK(ray::make({nan, 0, 0}, {1, 0, 0}).reason() == "ray origin is not finite");
-  CHECK(ray::make({0, infinity, 0}, {1, 0, 0}).reason() == "ray origin is not finite");
-  CHECK(ray::make({0, 0, 0}, {1, 0, nan}).reason() == "ray direction is not finite");
-  CHECK(ray::make({0, 0, 0}, {1, -infinity, 0}).reason() == "ray direction is not finite");
+  CHECK(ray::make({not_a_number, 0, 0}, {1, 0, 0}).reason() == "ray origin is not finite");
+  CHECK(ray::make({0, inf, 0}, {1, 0, 0}).reason() == "ray origin is not finite");
+  CHECK(ray::make({0, 0, 0}, {1, 0, not_a_number}).reason() == "ray direction is not finite");
+  CHECK(ray::make({0, 0, 0}, {1, -inf, 0}).reason() == "ray direction is not finite");
   CHECK(ray::make({0, 0, 0}, {0, -0.0, 0}).reason() == "ray direction is zero");
   CHECK(ray::make({1e308, -5e-324, 0}, {5e-324, 0, 0}).has_value());
 }
@@ -36,7 +36,7 @@ TEST_CASE("octree.root_cube: refuses a root whose octants would have rounded cor
   CHECK_FALSE(root_cube::make({{0, 0, 0}, 0x1p-1023}, 53).has_value());
   CHECK_FALSE(root_cube::make({{0, 0, 0}, 0}, 9).has_value());
   CHECK_FALSE(root_cube::make({{0, 0, 0}, -1}, 9).has_value());
-  CHECK_FALSE(root_cube::make({{0, 0, nan}, 1}, 9).has_value());
+  CHECK_FALSE(root_cube::make({{0, 0, not_a_number}, 1}, 9).has_value());
   CHECK_FALSE(root_cube::make({{0x1p1023, 0, 0}, 0x1p1023}, 9).has_value());
 }
 

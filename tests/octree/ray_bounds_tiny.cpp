@@ -59,9 +59,9 @@ template <class B> tally try_all(const std::vector<tiny>& values, const std::vec
               if (dx.value == 0 && dy.value == 0 && dz.value == 0) continue;
               const triple o{ox, oy, oz}, d{dx, dy, dz};
               const auto axes = bounds::prepare(o, d);
-              for (std::size_t i = 0; i + 1 < values.size(); i += 2)
-                for (std::size_t j = i + 1; j < values.size(); j += 3)
-                  for (std::size_t k = 0; k + 1 < few.size(); ++k) {
+              for (std::size_t i = 0; i + 1 < values.size(); i += 4)
+                for (std::size_t j = i + 1; j < values.size(); j += 5)
+                  for (std::size_t k = 0; k + 1 < few.size(); k += 2) {
                     const triple lo{few[k], values[i], few[k]};
                     const triple hi{few[k + 1], values[j], few[k + 1]};
                     const auto in = [](const triple& t) {

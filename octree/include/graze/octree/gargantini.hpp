@@ -48,10 +48,11 @@ public:
       if (origin_[a] + at.t_in * direction_[a] >= mid) index |= 1u << a;
       if (direction_[a] == 0) continue;
       const double t = (mid - origin_[a]) / direction_[a];
-      if (at.t_in < t && t < at.t_out) crossings[count++] = {t, a};
+      if (!(at.t_in < t && t < at.t_out)) continue;
+      unsigned place = count++; // by insertion: gcc 12 warns of std::sort on three elements
+      for (; place > 0 && t < crossings[place - 1].t; --place) crossings[place] = crossings[place - 1];
+      crossings[place] = {t, a};
     }
-    std::sort(crossings.begin(), crossings.begin() + count,
-              [](const crossing& l, const crossing& r) { return l.t < r.t; });
     double from = at.t_in;
     for (unsigned i = 0; i < count; ++i) {
       out.push(index, {from, crossings[i].t});

@@ -81,11 +81,18 @@ template <rounding::Backend B> struct ray_bounds {
                                             : interval{enter_at(a, lo), leave_at<C>(a, hi)};
   }
 
+  /// The t that are within both.
+  static interval common(const interval& x, const interval& y) {
+    return {x.enter < y.enter ? y.enter : x.enter, y.leave < x.leave ? y.leave : x.leave};
+  }
+  /// False only if no t >= 0 is within both.
+  static bool passes(const interval& x, const interval& y) {
+    const interval both = common(x, y);
+    return !((both.leave < both.enter) | (both.leave < number(0)));
+  }
   /// False only if no t >= 0 is within all three intervals.
   static bool passes(const interval& x, const interval& y, const interval& z) {
-    const number enter = std::max({number(0), x.enter, y.enter, z.enter});
-    const number leave = std::min({x.leave, y.leave, z.leave});
-    return !(leave < enter);
+    return passes(common(x, y), z);
   }
 
   /// The ray/octant test: never false on a box that the ray touches.

@@ -37,12 +37,16 @@ public:
       half[a][1 - entry_side] = {bounds::enter_at(axes_[a], mid), at[a].leave};
       if (axes_[a].origin >= mid) origin_side |= 1u << a;
     }
+    // bounds::passes for all eight without a branch: each pair of sides in x and y serves two children
+    std::array<typename bounds::interval, 4> xy;
+    for (unsigned i = 0; i < 4; ++i) xy[i] = bounds::common(half[0][i & 1], half[1][i >> 1]);
+    unsigned passed = 0;
+    for (unsigned i = 0; i < 8; ++i)
+      passed |= (bounds::passes(xy[i & 3], half[2][i >> 2]) ? 1u : 0u) << i;
     for (unsigned i = 0; i < 8; ++i) {
       const unsigned index = i ^ origin_side; // front to back: the origin's side first, on each axis
-      const auto& x = half[0][index & 1];
-      const auto& y = half[1][index >> 1 & 1];
-      const auto& z = half[2][index >> 2 & 1];
-      if (bounds::passes(x, y, z)) out.push(index, {x, y, z});
+      if ((passed >> index & 1) != 0)
+        out.push(index, {half[0][index & 1], half[1][index >> 1 & 1], half[2][index >> 2 & 1]});
     }
   }
 

@@ -1,0 +1,66 @@
+#pragma once
+/// A campaign: many trials on all threads, counted, until a budget is used up.
+#include <atomic>
+#include <functional>
+#include <graze/fuzz/generators.hpp>
+#include <graze/fuzz/properties.hpp>
+#include <optional>
+#include <vector>
+
+namespace graze::fuzz {
+
+/// What to run. Ray k of a campaign is trial k of the seed, by generator k mod the number of
+/// generators; so a campaign of a given number of rays counts and finds the same on any number of
+/// threads.
+struct campaign_plan {
+  const traversal_entry* under_test = nullptr;
+  std::vector<const generator*> generators;
+  int level = 50; ///< 1..53
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  double seconds = 0;     ///< 0: no limit of time
+  std::uint64_t rays = 0; ///< 0: no limit of rays
+  std::uint64_t first_ray = 0;
+};
+
+/// What a generator's rays showed.
+struct counts {
+  std::uint64_t rays = 0;
+  std::uint64_t touched = 0;        ///< octants that the rays touch
+  std::uint64_t misses = 0;         ///< octants missed by the traversal's own promise
+  std::uint64_t crossed_missed = 0; ///< crossed octants missed
+  std::uint64_t touched_missed =
+      0;                      ///< touched octants missed: a convention, not a bug, if only touched
+  std::uint64_t gaps = 0;     ///< lengths of rays that no visited octant covers
+  std::uint64_t spurious = 0; ///< visited octants that are not touched
+  std::uint64_t far_spurious = 0; ///< rays with a spurious octant that rounding does not explain
+  std::uint64_t order_errors = 0; ///< rays whose owning octants were visited out of order
+  std::uint64_t revisits = 0;     ///< rays with an octant reported twice, or one not of the block
+  std::uint64_t findings = 0;     ///< rays with a finding of any kind
+
+  void add(const verdict& v);
+  counts& operator+=(const counts& other);
+};
+
+struct campaign_result {
+  std::vector<counts> by_generator; ///< as in the plan
+  counts total;
+  double seconds = 0;
+  std::optional<double> first_miss_seconds; ///< until the first miss or gap
+  /// For each kind of finding the first ray (lowest number) that showed it.
+  std::array<std::optional<std::uint64_t>, finding_kinds> first;
+  bool interrupted = false;
+
+  /// The most serious kind found, if any.
+  [[nodiscard]] std::optional<finding> worst_finding() const;
+};
+
+/// The trial of ray `index` of the plan.
+trial trial_of(const campaign_plan& plan, std::uint64_t index);
+
+/// `progress(rays, seconds)` is called about ten times a second, from this thread; `stop` ends the
+/// campaign early when it becomes true.
+campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,
+                             const std::function<void(std::uint64_t, double)>& progress = {});
+
+} // namespace graze::fuzz

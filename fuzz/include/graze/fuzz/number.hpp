@@ -1,0 +1,54 @@
+#pragma once
+/// Doubles seen as bit patterns: neighbours, number of significant bits, hex floats.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace graze::fuzz {
+
+/// The n-th double above x (below for n < 0); -0 and +0 are one place. Stops at the largest finite
+/// double of either sign.
+inline double step_ulps(double x, int n) {
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  std::int64_t place = bits < 0 ? INT64_MIN - bits : bits;
+  constexpr std::int64_t last = 0x7fefffffffffffff;
+  place += n;
+  if (place > last)
+    place = last;
+  if (place < -last)
+    place = -last;
+  return std::bit_cast<double>(place < 0 ? INT64_MIN - place : place);
+}
+
+/// The number of bits from the highest to the lowest set bit of a finite x; 0 for 0.
+inline int significant_bits(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  std::uint64_t significand = bits & 0xfffffffffffffu;
+  if ((bits >> 52 & 0x7ff) != 0)
+    significand |= std::uint64_t{1} << 52;
+  if (significand == 0)
+    return 0;
+  return 64 - std::countl_zero(significand) - std::countr_zero(significand);
+}
+
+/// x with all but its n highest significant bits cleared (towards 0), n >= 1.
+inline double keep_bits(double x, int n) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  int length = 53;
+  if ((bits >> 52 & 0x7ff) == 0)
+    length = 64 - std::countl_zero(bits & 0xfffffffffffffu);
+  if (n >= length)
+    return x;
+  return std::bit_cast<double>(bits >> (length - n) << (length - n));
+}
+
+/// The exact spelling of x, "0x1.8p-3".
+std::string hex(double x);
+
+/// Reads a whole string as a finite number, hex float or decimal; nothing else is accepted.
+std::optional<double> parse_number(std::string_view text);
+
+} // namespace graze::fuzz

@@ -1,0 +1,29 @@
+#pragma once
+/// A campaign's result for people (a table) and for programs (one JSON object).
+#include <graze/fuzz/campaign.hpp>
+#include <string>
+
+namespace graze::fuzz {
+
+/// The ray that shows the most serious finding, before and after shrinking.
+struct counterexample {
+  finding kind;
+  std::uint64_t ray; ///< its number in the campaign
+  trial found;
+  trial shrunk;
+};
+
+/// Nothing when the campaign found nothing.
+std::optional<counterexample> counterexample_of(const campaign_plan& plan,
+                                                const campaign_result& result);
+
+/// A row a generator and one for all.
+std::string table(const campaign_plan& plan, const campaign_result& result);
+/// What was found, in hex floats and with its replay line; several lines.
+std::string describe(const campaign_plan& plan, const counterexample& c);
+/// One object, pretty-printed: traversal, level, seed, rays, touched, misses, gaps, spurious,
+/// order_errors, rays_per_second, first_miss_seconds, counterexample, generators and more.
+std::string to_json(const campaign_plan& plan, const campaign_result& result,
+                    const std::optional<counterexample>& c);
+
+} // namespace graze::fuzz

@@ -1,0 +1,76 @@
+#pragma once
+/// What is under test: anything that says which octants of a block a ray visits, in order.
+#include <graze/fuzz/trial.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace graze::fuzz {
+
+/// Which octants a traversal promises to report; its misses are judged by this promise.
+/// `touched`: every octant whose closed box the ray meets. `owned`: every octant that owns a point
+/// of the ray, front to back. `crossed`: only those whose open interior the ray meets.
+enum class promise { touched, owned, crossed };
+
+std::string_view name_of(promise p);
+
+/// The octants that a traversal reported, in its order; repetitions are kept.
+class visited {
+public:
+  void clear() {
+    count_ = 0;
+    set_ = 0;
+    repeated_ = outside_ = false;
+  }
+  void push(voxel v) {
+    const voxel_set bit = voxel_set{1} << v;
+    if ((set_ & bit) != 0) {
+      repeated_ = true; // its first place in the order stands
+      return;
+    }
+    set_ |= bit;
+    order_[count_++] = v;
+  }
+  /// An octant that is not of the block was reported.
+  void push_outside() { outside_ = true; }
+
+  [[nodiscard]] voxel_set set() const { return set_; }
+  [[nodiscard]] unsigned size() const { return count_; }
+  [[nodiscard]] voxel operator[](unsigned i) const { return order_[i]; }
+  [[nodiscard]] bool repeated() const { return repeated_; }
+  [[nodiscard]] bool outside() const { return outside_; }
+
+private:
+  std::array<voxel, 64> order_;
+  unsigned count_ = 0;
+  voxel_set set_ = 0;
+  bool repeated_ = false, outside_ = false;
+};
+
+/// One traversal under test. visit() may be called from one thread at a time; a campaign makes one
+/// for each thread. Adapters to other people's code implement this interface.
+struct traversal {
+  virtual ~traversal() = default;
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  [[nodiscard]] virtual promise promises() const = 0;
+  /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in
+  /// order. `t` has passed refusal().
+  virtual void visit(const trial& t, visited& out) = 0;
+};
+
+/// A traversal that can be chosen by name.
+struct traversal_entry {
+  std::string_view name;
+  std::string_view summary;
+  std::unique_ptr<traversal> (*make)();
+};
+
+/// All that can be chosen, the sound ones first.
+const std::vector<traversal_entry>& traversals();
+/// The traversals that are wrong on purpose: the harness is tested with them.
+const std::vector<traversal_entry>& mutants();
+/// Null when there is none of this name (mutants are named "mutant-...").
+const traversal_entry* find_traversal(std::string_view name);
+
+} // namespace graze::fuzz

@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <chrono>
+#include <graze/fuzz/campaign.hpp>
+#include <mutex>
+#include <thread>
+
+namespace graze::fuzz {
+
+namespace {
+
+using clock = std::chrono::steady_clock;
+
+double since(clock::time_point start) {
+  return std::chrono::duration<double>(clock::now() - start).count();
+}
+
+std::uint64_t size_of(voxel_set set) { return static_cast<std::uint64_t>(std::popcount(set)); }
+
+constexpr finding_set misses_and_gaps =
+    bit(finding::crossed_miss) | bit(finding::gap) | bit(finding::miss);
+
+/// Rays are handed out in pieces of this many.
+constexpr std::uint64_t piece = 1024;
+
+/// What the threads share.
+struct shared_state {
+  shared_state(const campaign_plan& plan_, const std::atomic<bool>& stop_)
+      : plan(plan_), stop(stop_) {}
+  const campaign_plan& plan;
+  const std::atomic<bool>& stop;
+  clock::time_point start = clock::now();
+  std::atomic<std::uint64_t> next{0}; ///< rays handed out
+  std::atomic<std::uint64_t> done{0};
+  std::atomic<unsigned> running{0};
+  std::mutex merging;
+  campaign_result result;
+};
+
+void work(shared_state& shared) {
+  const campaign_plan& plan = shared.plan;
+  const auto under_test = plan.under_test->make();
+  const std::uint64_t kinds = plan.generators.size();
+  std::vector<counts> by_generator(kinds);
+  std::array<std::optional<std::uint64_t>, finding_kinds> first;
+  std::optional<double> first_miss;
+  visited said;
+
+  const auto one = [&](std::uint64_t ray) {
+    const trial t = trial_of(plan, ray);
+    said.clear();
+    under_test->visit(t, said);
+    const verdict v = judge(t, truth_of(t), said, under_test->promises());
+    by_generator[ray % kinds].add(v);
+    if (v.findings == 0)
+      return;
+    if (!first_miss && (v.findings & misses_and_gaps) != 0)
+      first_miss = since(shared.start);
+    for (unsigned k = 0; k < finding_kinds; ++k)
+      if ((v.findings >> k & 1) != 0 && (!first[k] || ray < *first[k]))
+        first[k] = ray;
+  };
+
+  while (!shared.stop.load(std::memory_order_relaxed) &&
+         (plan.seconds == 0 || since(shared.start) < plan.seconds)) {
+    const std::uint64_t from = shared.next.fetch_add(piece);
+    if (plan.rays != 0 && from >= plan.rays)
+      break;
+    const std::uint64_t to = plan.rays != 0 ? std::min(from + piece, plan.rays) : from + piece;
+    for (std::uint64_t k = from; k < to; ++k)
+      one(plan.first_ray + k);
+    shared.done.fetch_add(to - from, std::memory_order_relaxed);
+  }
+
+  const std::lock_guard lock(shared.merging);
+  campaign_result& all = shared.result;
+  for (std::size_t g = 0; g < kinds; ++g)
+    all.by_generator[g] += by_generator[g];
+  for (unsigned k = 0; k < finding_kinds; ++k)
+    if (first[k] && (!all.first[k] || *first[k] < *all.first[k]))
+      all.first[k] = first[k];
+  if (first_miss && (!all.first_miss_seconds || *first_miss < *all.first_miss_seconds))
+    all.first_miss_seconds = first_miss;
+  --shared.running;
+}
+
+} // namespace
+
+void counts::add(const verdict& v) {
+  ++rays;
+  touched += size_of(v.touched);
+  misses += size_of(v.missed);
+  crossed_missed += size_of(v.crossed_missed);
+  touched_missed += size_of(v.touched_missed);
+  gaps += v.gaps;
+  spurious += size_of(v.spurious);
+  if ((v.findings & bit(finding::far_spurious)) != 0)
+    ++far_spurious;
+  if (v.order_error)
+    ++order_errors;
+  if ((v.findings & (bit(finding::revisit) | bit(finding::outside))) != 0)
+    ++revisits;
+  if (v.findings != 0)
+    ++findings;
+}
+
+counts& counts::operator+=(const counts& other) {
+  rays += other.rays;
+  touched += other.touched;
+  misses += other.misses;
+  crossed_missed += other.crossed_missed;
+  touched_missed += other.touched_missed;
+  gaps += other.gaps;
+  spurious += other.spurious;
+  far_spurious += other.far_spurious;
+  order_errors += other.order_errors;
+  revisits += other.revisits;
+  findings += other.findings;
+  return *this;
+}
+
+std::optional<finding> campaign_result::worst_finding() const {
+  for (unsigned k = 0; k < finding_kinds; ++k)
+    if (first[k])
+      return static_cast<finding>(k);
+  return std::nullopt;
+}
+
+trial trial_of(const campaign_plan& plan, std::uint64_t index) {
+  return make_trial(*plan.generators[index % plan.generators.size()], plan.seed, index, plan.level);
+}
+
+campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,
+                             const std::function<void(std::uint64_t, double)>& progress) {
+  shared_state shared(plan, stop);
+  shared.result.by_generator.resize(plan.generators.size());
+  const unsigned threads = std::max(1u, plan.threads);
+  shared.running = threads;
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned i = 0; i < threads; ++i)
+      workers.emplace_back(work, std::ref(shared));
+    double shown = 0;
+    while (shared.running.load() != 0) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      if (const double now = since(shared.start); progress && now - shown >= 0.1) {
+        progress(shared.done.load(), now);
+        shown = now;
+      }
+    }
+  }
+  campaign_result result = std::move(shared.result);
+  result.seconds = since(shared.start);
+  result.interrupted = stop.load();
+  for (const counts& c : result.by_generator)
+    result.total += c;
+  return result;
+}
+
+} // namespace graze::fuzz

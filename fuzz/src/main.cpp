@@ -1,0 +1,247 @@
+/// The command line of graze-fuzz. Exit codes: 0 nothing found, 1 a finding, 2 bad input.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <graze/fuzz/replay.hpp>
+#include <graze/fuzz/report.hpp>
+#include <thread>
+#include <unistd.h>
+
+namespace {
+
+using namespace graze::fuzz;
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+int bad_input(const std::string& why) {
+  fmt::print(stderr, "graze-fuzz: {}\n", why);
+  return 2;
+}
+
+const char* const examples = R"(
+Examples:
+  graze-fuzz run                                        five seconds on the sound traversal
+  graze-fuzz run --traversal published --level 50       finds a ray that misses an octant
+  graze-fuzz run --traversal gargantini --save miss.jsonl
+  graze-fuzz replay miss.jsonl --traversal gargantini   says again, by rationals, what is missed
+  graze-fuzz list
+
+Exit code: 0 nothing found, 1 a finding, 2 bad input.)";
+
+struct run_options {
+  std::string traversal = "sound";
+  std::vector<std::string> generators{"all"};
+  int level = 50;
+  double seconds = 0;
+  std::uint64_t rays = 0;
+  std::uint64_t seed = 1;
+  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  std::string save;
+  bool json = false;
+  bool progress = false;
+};
+
+struct replay_options {
+  std::string file;
+  std::string traversal = "sound";
+  bool json = false;
+};
+
+void show_progress(const campaign_plan& plan, std::uint64_t rays, double seconds) {
+  const double rate = static_cast<double>(rays) / seconds;
+  double left = 0;
+  if (plan.rays != 0 && rate > 0)
+    left = static_cast<double>(plan.rays - rays) / rate;
+  if (plan.seconds != 0)
+    left = plan.rays != 0 ? std::min(left, plan.seconds - seconds) : plan.seconds - seconds;
+  fmt::print(stderr, "\r{} rays, {:.0f} rays/s, {:.0f} s left \x1b[K", rays, rate,
+             std::max(left, 0.0));
+  std::fflush(stderr);
+}
+
+/// Writes the line whole or not at all.
+bool save_line(const std::string& path, const std::string& line) {
+  const std::string part = path + ".part";
+  {
+    std::ofstream file(part);
+    file << line << '\n';
+    file.close();
+    if (!file)
+      return std::remove(part.c_str()), false;
+  }
+  std::error_code error;
+  std::filesystem::rename(part, path, error);
+  if (error)
+    std::remove(part.c_str());
+  return !error;
+}
+
+int run(const run_options& options) {
+  campaign_plan plan;
+  plan.under_test = find_traversal(options.traversal);
+  if (plan.under_test == nullptr)
+    return bad_input(
+        fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", options.traversal));
+  for (const std::string& name : options.generators) {
+    if (name == "all") {
+      for (const generator& g : generators())
+        plan.generators.push_back(&g);
+      continue;
+    }
+    const generator* g = find_generator(name);
+    if (g == nullptr)
+      return bad_input(fmt::format("no generator is called \"{}\" (see graze-fuzz list)", name));
+    plan.generators.push_back(g);
+  }
+  if (options.level < 1 || options.level > graze::octree::max_level)
+    return bad_input(fmt::format("level {} is outside 1..53", options.level));
+  if (!std::isfinite(options.seconds) || options.seconds < 0)
+    return bad_input("--seconds is not a finite number of seconds, 0 or more");
+  if (options.threads < 1 || options.threads > 1024)
+    return bad_input("--threads is outside 1..1024");
+  if (!options.save.empty()) {
+    const std::filesystem::path path(options.save);
+    std::error_code error;
+    if (!std::filesystem::is_directory(path.has_parent_path() ? path.parent_path() : ".", error) ||
+        std::filesystem::is_directory(path, error))
+      return bad_input(fmt::format("cannot write {}", options.save));
+  }
+  plan.level = options.level;
+  plan.seed = options.seed;
+  plan.threads = options.threads;
+  plan.rays = options.rays;
+  plan.seconds = options.seconds == 0 && options.rays == 0 ? 5 : options.seconds;
+
+  const bool progress = options.progress || isatty(STDERR_FILENO) != 0;
+  const auto on_signal = [](int) { interrupted.store(true); };
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  std::function<void(std::uint64_t, double)> show;
+  if (progress)
+    show = [&plan](std::uint64_t rays, double seconds) { show_progress(plan, rays, seconds); };
+  const campaign_result result = run_campaign(plan, interrupted, show);
+  if (progress)
+    fmt::print(stderr, "\r\x1b[K");
+
+  const std::optional<counterexample> found = counterexample_of(plan, result);
+  if (options.json) {
+    fmt::print("{}\n", to_json(plan, result, found));
+  } else {
+    fmt::print("{} at level {}, seed {}: {} rays in {:.2f} s, {:.0f} rays/s{}\n{}",
+               plan.under_test->name, plan.level, plan.seed, result.total.rays, result.seconds,
+               static_cast<double>(result.total.rays) / result.seconds,
+               result.interrupted ? " (interrupted)" : "", table(plan, result));
+    if (result.first_miss_seconds)
+      fmt::print("first miss after {:.6f} s\n", *result.first_miss_seconds);
+    fmt::print("{}", found ? describe(plan, *found) : std::string("nothing found\n"));
+  }
+  if (found && !options.save.empty() && !save_line(options.save, to_json_line(found->shrunk)))
+    return bad_input(fmt::format("cannot write {}", options.save));
+  return found ? 1 : 0;
+}
+
+std::string yes(bool b) { return b ? "yes" : "no"; }
+
+int replay_file(const replay_options& options) {
+  const traversal_entry* entry = find_traversal(options.traversal);
+  if (entry == nullptr)
+    return bad_input(
+        fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", options.traversal));
+  const auto cases = read_replay_file(options.file);
+  if (!cases)
+    return bad_input(cases.reason());
+  const auto under_test = entry->make();
+  bool any = false;
+  for (const replay_case& c : *cases) {
+    const replay_result r = replay(c.at, *under_test);
+    any = any || r.findings != 0;
+    if (options.json) {
+      fmt::print("{}\n", to_json_line(c, r, entry->name));
+      continue;
+    }
+    std::string findings;
+    for (unsigned k = 0; k < finding_kinds; ++k)
+      if ((r.findings >> k & 1) != 0)
+        findings += fmt::format(" {}", name_of(static_cast<finding>(k)));
+    fmt::print("line {}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}\n", c.line,
+               yes(r.touches != 0), yes(r.crosses != 0), yes(r.owns != 0), entry->name,
+               yes(r.visited != 0), findings.empty() ? " none" : findings);
+  }
+  return any ? 1 : 0;
+}
+
+int list() {
+  fmt::print("traversals\n");
+  for (const traversal_entry& e : traversals())
+    fmt::print("  {:<18} {}\n", e.name, e.summary);
+  fmt::print("traversals that are wrong on purpose\n");
+  for (const traversal_entry& e : mutants())
+    fmt::print("  {:<18} {}\n", e.name, e.summary);
+  fmt::print("generators\n");
+  for (const generator& g : generators())
+    fmt::print("  {:<18} {}\n", g.name, g.summary);
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Finds octants that a ray traversal misses, with an exact oracle."};
+  app.footer(examples);
+  app.require_subcommand(1);
+
+  run_options run_with;
+  CLI::App* run_command = app.add_subcommand("run", "Search for missed octants");
+  run_command->add_option("--traversal", run_with.traversal, "What is under test")
+      ->capture_default_str();
+  run_command->add_option("--level", run_with.level, "Level of the octants, 1 to 53")
+      ->capture_default_str();
+  run_command->add_option("--generator", run_with.generators, "Names of generators, or all")
+      ->delimiter(',')
+      ->capture_default_str();
+  run_command->add_option("--seconds", run_with.seconds,
+                          "Budget of time (5, if no budget is given)");
+  run_command->add_option("--rays", run_with.rays, "Budget of rays");
+  run_command->add_option("--seed", run_with.seed, "Ray k of a seed is always the same ray")
+      ->capture_default_str();
+  run_command->add_option("--threads", run_with.threads, "Threads")->capture_default_str();
+  run_command->add_option("--save", run_with.save,
+                          "Write the shrunk counterexample to this replay file");
+  run_command->add_flag("--json", run_with.json, "Print one JSON object");
+  run_command->add_flag("--progress", run_with.progress,
+                        "Show progress even if stderr is not a terminal");
+
+  replay_options replay_with;
+  CLI::App* replay_command =
+      app.add_subcommand("replay", "Judge the rays of a file again, by rationals");
+  replay_command->add_option("file", replay_with.file, "JSON lines; - is standard input")
+      ->required();
+  replay_command->add_option("--traversal", replay_with.traversal, "What is under test")
+      ->capture_default_str();
+  replay_command->add_flag("--json", replay_with.json, "Print one JSON object a line");
+
+  CLI::App* list_command = app.add_subcommand("list", "Names of traversals and generators");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0)
+      return app.exit(e);
+    std::string why = e.what();
+    std::replace(why.begin(), why.end(), '\n', ' ');
+    return bad_input(why);
+  }
+  if (run_command->parsed())
+    return run(run_with);
+  if (replay_command->parsed())
+    return replay_file(replay_with);
+  if (list_command->parsed())
+    return list();
+  return 2;
+}

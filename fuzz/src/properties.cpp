@@ -1,0 +1,157 @@
+#include <cmath>
+#include <graze/fuzz/properties.hpp>
+#include <graze/oracle/geometry.hpp>
+#include <vector>
+
+namespace graze::fuzz {
+
+std::string_view name_of(promise p) {
+  switch (p) {
+  case promise::touched:
+    return "touched";
+  case promise::owned:
+    return "owned";
+  default:
+    return "crossed";
+  }
+}
+
+std::string_view name_of(finding f) {
+  static constexpr std::array<std::string_view, finding_kinds> names{
+      "crossed-miss", "gap", "miss", "order", "revisit", "far-spurious", "outside"};
+  return names[static_cast<unsigned>(f)];
+}
+
+namespace {
+
+/// layer[a][k]: the voxels of index k on axis a.
+constexpr auto layer = [] {
+  std::array<std::array<voxel_set, max_extent>, 3> result{};
+  for (unsigned z = 0; z < max_extent; ++z)
+    for (unsigned y = 0; y < max_extent; ++y)
+      for (unsigned x = 0; x < max_extent; ++x) {
+        const voxel_set v = voxel_set{1} << voxel_at(x, y, z);
+        result[0][x] |= v;
+        result[1][y] |= v;
+        result[2][z] |= v;
+      }
+  return result;
+}();
+
+} // namespace
+
+truth truth_of(const trial& t) {
+  std::array<std::array<double, max_extent + 1>, 3> planes;
+  std::array<std::span<const double>, 3> grid;
+  for (unsigned a = 0; a < 3; ++a) {
+    for (unsigned k = 0; k <= t.extent[a]; ++k)
+      planes[a][k] = t.plane(static_cast<int>(a), k);
+    grid[a] = std::span<const double>(planes[a].data(), t.extent[a] + 1u);
+  }
+  const unsigned far_face = t.at_far_face();
+  const unsigned near_face = t.at_near_face();
+  truth is;
+  thread_local std::vector<oracle::step> steps;
+  oracle::steps_in_grid(t.origin, t.direction, grid, steps);
+  for (const oracle::step& s : steps) {
+    voxel_set closed = ~voxel_set{0};
+    voxel_set owner = ~voxel_set{0};
+    bool interior = true;
+    bool surrounded = true; // by octants of the block and the outside of the root
+    for (unsigned a = 0; a < 3; ++a) {
+      const unsigned n = t.extent[a];
+      const auto place = static_cast<unsigned>(s.at[a]);
+      const unsigned k = place / 2;
+      if (place % 2 != 0) {
+        closed &= layer[a][k];
+        owner &= layer[a][k];
+        continue;
+      }
+      interior = false;
+      closed &= (k < n ? layer[a][k] : 0) | (k > 0 ? layer[a][k - 1] : 0);
+      if (k < n)
+        owner &= layer[a][k];
+      else
+        owner &= (far_face >> a & 1) != 0 ? layer[a][k - 1] : 0;
+      if ((k == 0 && (near_face >> a & 1) == 0) || (k == n && (far_face >> a & 1) == 0))
+        surrounded = false;
+    }
+    is.touched |= closed;
+    if (interior)
+      is.crossed |= closed;
+    if (owner != 0 && (is.owned & owner) == 0) {
+      is.owned |= owner;
+      is.owner_order[is.owners++] = static_cast<voxel>(std::countr_zero(owner));
+    }
+    if (s.segment && surrounded && is.length_count < is.lengths.size())
+      is.lengths[is.length_count++] = closed;
+  }
+  return is;
+}
+
+voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
+  voxel_set left = spurious(is, said);
+  if (left == 0)
+    return 0;
+  // every product that a test may form stays within 2^-800..2^800
+  for (int a = 0; a < 3; ++a) {
+    const double d = std::fabs(t.direction[a]);
+    if ((d != 0 && d < 0x1p-250) || d > 0x1p250 || std::fabs(t.origin[a]) > 0x1p250 ||
+        std::fabs(t.root.lo[a]) > 0x1p250)
+      return 0;
+  }
+  if (t.root.size > 0x1p250 || t.size() < 0x1p-250)
+    return 0;
+  voxel_set far = 0;
+  for (; left != 0; left &= left - 1) {
+    const auto v = static_cast<voxel>(std::countr_zero(left));
+    const cube box = t.octant(v);
+    std::array<std::array<double, 2>, 3> planes;
+    std::array<std::span<const double>, 3> grid;
+    for (unsigned a = 0; a < 3; ++a) {
+      const double lo = box.lo[a];
+      const double hi = box.hi(static_cast<int>(a));
+      const double reach =
+          0x1p-47 * (std::fabs(t.origin[a]) + std::max(std::fabs(lo), std::fabs(hi))) + 0x1p-1000;
+      planes[a] = {lo - reach, hi + reach};
+      grid[a] = planes[a];
+    }
+    if (oracle::steps_in_grid(t.origin, t.direction, grid).empty())
+      far |= voxel_set{1} << v;
+  }
+  return far;
+}
+
+verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
+  verdict v;
+  v.touched = is.touched;
+  v.missed = misses(is, said, p);
+  v.crossed_missed = crossed_missed(is, said);
+  v.touched_missed = touched_missed(is, said);
+  v.spurious = spurious(is, said);
+  v.gaps = gaps(is, said);
+  v.order_error = p == promise::owned && out_of_order(is, said);
+  if (v.crossed_missed != 0)
+    v.findings |= bit(finding::crossed_miss);
+  if (v.gaps != 0)
+    v.findings |= bit(finding::gap);
+  if ((v.missed & ~v.crossed_missed) != 0)
+    v.findings |= bit(finding::miss);
+  if (v.order_error)
+    v.findings |= bit(finding::order);
+  if (said.repeated())
+    v.findings |= bit(finding::revisit);
+  if (said.outside())
+    v.findings |= bit(finding::outside);
+  if (v.spurious != 0 && far_spurious(t, is, said) != 0)
+    v.findings |= bit(finding::far_spurious);
+  return v;
+}
+
+verdict judge(const trial& t, traversal& under_test) {
+  visited said;
+  under_test.visit(t, said);
+  return judge(t, truth_of(t), said, under_test.promises());
+}
+
+} // namespace graze::fuzz

@@ -1,0 +1,192 @@
+#include <fmt/format.h>
+#include <fstream>
+#include <graze/fuzz/number.hpp>
+#include <graze/fuzz/replay.hpp>
+#include <graze/oracle/rational.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace graze::fuzz {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json spelled(const vec3& v) { return json::array({hex(v[0]), hex(v[1]), hex(v[2])}); }
+
+/// Reads members of one line and keeps the first reason why that did not work.
+class reader {
+public:
+  const std::string& reason() const { return reason_; }
+
+  const json* member(const json& object, const char* key) {
+    if (!object.is_object() || !object.contains(key))
+      return refuse(fmt::format("no \"{}\"", key)), nullptr;
+    return &object.at(key);
+  }
+  double number(const json& value, const char* what) {
+    std::optional<double> x;
+    if (value.is_string())
+      x = parse_number(value.get_ref<const std::string&>());
+    else if (value.is_number())
+      x = value.get<double>();
+    if (!x || !std::isfinite(*x))
+      return refuse(fmt::format("\"{}\" is not a finite number", what)), 0;
+    return *x;
+  }
+  vec3 vector(const json& object, const char* key) {
+    vec3 v{};
+    const json* value = member(object, key);
+    if (value == nullptr)
+      return v;
+    if (!value->is_array() || value->size() != 3)
+      return refuse(fmt::format("\"{}\" is not an array of three numbers", key)), v;
+    for (unsigned a = 0; a < 3; ++a)
+      v[a] = number((*value)[a], key);
+    return v;
+  }
+  cube box(const json& object, const char* key) {
+    cube c{{0, 0, 0}, 1};
+    const json* value = member(object, key);
+    if (value == nullptr)
+      return c;
+    c.lo = vector(*value, "lo");
+    if (const json* size = member(*value, "size"))
+      c.size = number(*size, "size");
+    return c;
+  }
+  std::array<std::uint8_t, 3> extent(const json& value) {
+    std::array<std::uint8_t, 3> e{1, 1, 1};
+    for (unsigned a = 0; a < 3; ++a) {
+      if (!value.is_array() || value.size() != 3 || !value[a].is_number_integer() || value[a] < 1 ||
+          value[a] > max_extent)
+        return refuse("\"extent\" is not an array of three integers in 1..4"), e;
+      e[a] = value[a].get<std::uint8_t>();
+    }
+    return e;
+  }
+
+private:
+  void refuse(std::string why) {
+    if (reason_.empty())
+      reason_ = std::move(why);
+  }
+  std::string reason_;
+};
+
+bool has(voxel_set set, voxel v) { return (set >> v & 1) != 0; }
+
+} // namespace
+
+std::string to_json_line(const trial& t) {
+  json line;
+  line["origin"] = spelled(t.origin);
+  line["direction"] = spelled(t.direction);
+  line["octant"] = {{"lo", spelled(t.octant(0).lo)}, {"size", hex(t.size())}};
+  line["root"] = {{"lo", spelled(t.root.lo)}, {"size", hex(t.root.size)}};
+  if (t.extent != std::array<std::uint8_t, 3>{1, 1, 1})
+    line["extent"] = t.extent;
+  return line.dump();
+}
+
+expected<trial> from_json_line(std::string_view text) {
+  const json line = json::parse(text, nullptr, false);
+  if (line.is_discarded())
+    return unexpected{"not JSON"};
+  if (!line.is_object())
+    return unexpected{"not a JSON object"};
+  reader read;
+  const vec3 origin = read.vector(line, "origin");
+  const vec3 direction = read.vector(line, "direction");
+  const cube octant = read.box(line, "octant");
+  const cube root = line.contains("root") ? read.box(line, "root") : cube{{0, 0, 0}, 1};
+  std::array<std::uint8_t, 3> extent{1, 1, 1};
+  if (line.contains("extent"))
+    extent = read.extent(line.at("extent"));
+  if (!read.reason().empty())
+    return unexpected{read.reason()};
+  return trial_of_octant(origin, direction, octant, root, extent);
+}
+
+expected<std::vector<replay_case>> read_replay_file(const std::string& path) {
+  std::ifstream file;
+  if (path != "-") {
+    file.open(path);
+    if (!file || file.peek() == std::ifstream::traits_type::eof())
+      return unexpected{fmt::format("cannot read {}, or it is empty", path)};
+  }
+  std::istream& in = path == "-" ? std::cin : file;
+  std::vector<replay_case> cases;
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos)
+      continue;
+    auto t = from_json_line(line);
+    if (!t)
+      return unexpected{fmt::format("{}:{}: {}", path, number, t.reason())};
+    cases.push_back({number, *t});
+  }
+  if (in.bad())
+    return unexpected{fmt::format("cannot read {}", path)};
+  if (cases.empty())
+    return unexpected{fmt::format("{} holds no replay line", path)};
+  return cases;
+}
+
+replay_result replay(const trial& t, traversal& under_test) {
+  visited said;
+  under_test.visit(t, said);
+  replay_result r;
+  r.visited = said.set();
+  const unsigned far_faces = t.at_far_face();
+  for (voxel_set left = t.all(); left != 0; left &= left - 1) {
+    const auto v = static_cast<voxel>(std::countr_zero(left));
+    const cube box = t.octant(v);
+    const oracle::point hi{box.hi(0), box.hi(1), box.hi(2)};
+    const voxel_set only = voxel_set{1} << v;
+    unsigned closed = 0; // the faces of this octant that are the root's far faces
+    for (unsigned a = 0; a < 3; ++a)
+      if ((far_faces >> a & 1) != 0 && (v >> (2 * a) & 3) + 1u == t.extent[a])
+        closed |= 1u << a;
+    if (oracle::rational::touches(t.origin, t.direction, box.lo, hi))
+      r.touches |= only;
+    if (oracle::rational::crosses(t.origin, t.direction, box.lo, hi))
+      r.crosses |= only;
+    if (oracle::rational::owns(t.origin, t.direction, box.lo, hi, closed))
+      r.owns |= only;
+  }
+  // order, gaps and the rest need the steps; the sets are the rational ones
+  truth is = truth_of(t);
+  is.touched = r.touches;
+  is.crossed = r.crosses;
+  is.owned = r.owns;
+  r.findings = judge(t, is, said, under_test.promises()).findings;
+  return r;
+}
+
+std::string to_json_line(const replay_case& c, const replay_result& r,
+                         std::string_view traversal_name) {
+  json line;
+  line["line"] = c.line;
+  line["traversal"] = traversal_name;
+  line["touches"] = r.touches != 0;
+  line["crosses"] = r.crosses != 0;
+  line["owns"] = r.owns != 0;
+  line["visited"] = r.visited != 0;
+  line["findings"] = json::array();
+  for (unsigned k = 0; k < finding_kinds; ++k)
+    if ((r.findings >> k & 1) != 0)
+      line["findings"].push_back(name_of(static_cast<finding>(k)));
+  if (std::popcount(c.at.all()) > 1)
+    for (voxel_set left = c.at.all(); left != 0; left &= left - 1) {
+      const auto v = static_cast<voxel>(std::countr_zero(left));
+      line["octants"].push_back({{"lo", spelled(c.at.octant(v).lo)},
+                                 {"touches", has(r.touches, v)},
+                                 {"crosses", has(r.crosses, v)},
+                                 {"owns", has(r.owns, v)},
+                                 {"visited", has(r.visited, v)}});
+    }
+  return line.dump();
+}
+
+} // namespace graze::fuzz

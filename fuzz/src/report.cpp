@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+#include <graze/fuzz/number.hpp>
+#include <graze/fuzz/replay.hpp>
+#include <graze/fuzz/report.hpp>
+#include <graze/fuzz/shrink.hpp>
+#include <nlohmann/json.hpp>
+
+namespace graze::fuzz {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+std::string row(std::string_view name, const counts& c) {
+  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>8}{:>8}{:>9}\n", name, c.rays,
+                     c.touched, c.misses, c.crossed_missed, c.gaps, c.spurious, c.far_spurious,
+                     c.order_errors, c.revisits);
+}
+
+void put(json& object, const counts& c) {
+  object["rays"] = c.rays;
+  object["touched"] = c.touched;
+  object["misses"] = c.misses;
+  object["crossed_missed"] = c.crossed_missed;
+  object["touched_missed"] = c.touched_missed;
+  object["gaps"] = c.gaps;
+  object["spurious"] = c.spurious;
+  object["far_spurious"] = c.far_spurious;
+  object["order_errors"] = c.order_errors;
+  object["revisits"] = c.revisits;
+  object["rays_with_finding"] = c.findings;
+}
+
+std::string spelled(const vec3& v) {
+  return fmt::format("({}, {}, {})", hex(v[0]), hex(v[1]), hex(v[2]));
+}
+
+} // namespace
+
+std::optional<counterexample> counterexample_of(const campaign_plan& plan,
+                                                const campaign_result& result) {
+  const auto kind = result.worst_finding();
+  if (!kind)
+    return std::nullopt;
+  const std::uint64_t ray = *result.first[static_cast<unsigned>(*kind)];
+  const trial found = trial_of(plan, ray);
+  const auto under_test = plan.under_test->make();
+  return counterexample{*kind, ray, found, shrink(found, *under_test, *kind)};
+}
+
+std::string table(const campaign_plan& plan, const campaign_result& result) {
+  std::string text =
+      fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>8}{:>8}{:>9}\n", "generator", "rays",
+                  "touched", "misses", "crossed", "gaps", "spurious", "far", "order", "revisit");
+  for (std::size_t g = 0; g < plan.generators.size(); ++g)
+    text += row(plan.generators[g]->name, result.by_generator[g]);
+  return text + row("all", result.total);
+}
+
+std::string describe(const campaign_plan& plan, const counterexample& c) {
+  const trial& t = c.shrunk;
+  std::string text = fmt::format("{} by {}, ray {} of seed {} ({}), shrunk:\n", name_of(c.kind),
+                                 plan.under_test->name, c.ray, plan.seed,
+                                 plan.generators[c.ray % plan.generators.size()]->name);
+  text += fmt::format("  origin    {}\n  direction {}\n  octant    {} size {}, level {}",
+                      spelled(t.origin), spelled(t.direction), spelled(t.octant(0).lo),
+                      hex(t.size()), t.level);
+  if (std::popcount(t.all()) > 1)
+    text += fmt::format(", the first of {} x {} x {}", t.extent[0], t.extent[1], t.extent[2]);
+  return text + fmt::format("\nreplay: echo '{}' | graze-fuzz replay - --traversal {}\n",
+                            to_json_line(t), plan.under_test->name);
+}
+
+std::string to_json(const campaign_plan& plan, const campaign_result& result,
+                    const std::optional<counterexample>& c) {
+  json object;
+  object["traversal"] = plan.under_test->name;
+  object["promise"] = name_of(plan.under_test->make()->promises());
+  object["level"] = plan.level;
+  object["seed"] = plan.seed;
+  object["threads"] = plan.threads;
+  put(object, result.total);
+  object["seconds"] = result.seconds;
+  object["rays_per_second"] =
+      result.seconds > 0 ? static_cast<double>(result.total.rays) / result.seconds : 0;
+  object["first_miss_seconds"] =
+      result.first_miss_seconds ? json(*result.first_miss_seconds) : json(nullptr);
+  object["interrupted"] = result.interrupted;
+  object["finding"] = c ? json(name_of(c->kind)) : json(nullptr);
+  object["counterexample"] = c ? json::parse(to_json_line(c->shrunk)) : json(nullptr);
+  object["found_as"] = c ? json::parse(to_json_line(c->found)) : json(nullptr);
+  object["ray"] = c ? json(c->ray) : json(nullptr);
+  object["generators"] = json::array();
+  for (std::size_t g = 0; g < plan.generators.size(); ++g) {
+    json of{{"generator", plan.generators[g]->name}};
+    put(of, result.by_generator[g]);
+    object["generators"].push_back(std::move(of));
+  }
+  return object.dump(2);
+}
+
+} // namespace graze::fuzz
