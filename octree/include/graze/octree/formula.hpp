@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <graze/interval.hpp>
+#include <graze/rounding/upward.hpp>
 
 namespace graze::octree {
 
