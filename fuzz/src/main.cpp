@@ -160,7 +160,9 @@ int replay_file(const replay_options& options) {
   bool any = false;
   for (const replay_case& c : *cases) {
     const replay_result r = replay(c.at, *under_test);
-    any = any || r.findings != 0;
+    any = any || r.findings != 0 || !r.oracles_agree;
+    if (!r.oracles_agree)
+      fmt::print(stderr, "graze-fuzz: line {}: the two oracles disagree: a bug of graze\n", c.line);
     if (options.json) {
       fmt::print("{}\n", to_json_line(c, r, entry->name));
       continue;
