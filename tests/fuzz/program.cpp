@@ -40,7 +40,7 @@ std::string content(const std::string& path) {
   return text.str();
 }
 
-outcome call(const std::string& arguments, const std::string& before = "") {
+outcome call(const std::string& arguments, const std::string& before = "timeout 60 ") {
   const scratch dir;
   const std::string command =
       before + "'" GRAZE_FUZZ "' " + arguments + " >" + (dir / "out") + " 2>" + (dir / "err");
@@ -123,6 +123,7 @@ TEST_CASE("graze-fuzz run: bad input is one line and exit code 2", "[unit]") {
   refused("run --seconds nan", "--seconds");
   refused("run --seconds -1", "--seconds");
   refused("run --rays -5", "--rays");
+  refused("run --seed -1", "--seed");
   refused("run --threads 0", "--threads");
   refused("run --save /no/such/folder/miss.jsonl", "cannot write");
   refused("run --nonsense", "nonsense");
