@@ -1,7 +1,5 @@
 #include <graze/render/scene.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <graze/octree/surfaces.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <vector>
@@ -12,40 +10,45 @@ namespace {
 template <class Surface> class surface_caster final : public caster {
 public:
   using traversal = octree::surface_traversal<Surface>;
-  explicit surface_caster(traversal work) : work_(std::move(work)) {}
+
+  /// The octree is built here, and the traversal refers to it.
+  static expected<std::unique_ptr<caster>> make(const octree::box& domain, int octree_level,
+                                                int levels) {
+    auto tree = octree::voxelize(Surface{}, domain, octree_level);
+    if (!tree)
+      return unexpected{tree.reason()};
+    auto kept = std::make_unique<const octree::sparse_octree>(*std::move(tree));
+    auto work = traversal::make(Surface{}, domain, *kept, levels);
+    if (!work)
+      return unexpected{work.reason()};
+    return std::unique_ptr<caster>(new surface_caster(std::move(kept), *std::move(work)));
+  }
+
   octree::surface_hit first_hit(const octree::ray& r,
                                 octree::traversal_counts* counts) const override {
     return work_.first_hit(r, counts);
   }
-  vec3 gradient(const vec3& point) const override { return work_.normal(point); }
-  std::uint64_t octree_leaves() const override { return 0; }
+  vec3 gradient(const vec3& point) const override { return octree::normal(Surface{}, point); }
+  std::uint64_t octree_leaves() const override { return tree_->leaf_count(); }
 
 private:
+  surface_caster(std::unique_ptr<const octree::sparse_octree> tree, traversal work)
+      : tree_(std::move(tree)), work_(std::move(work)) {}
+
+  std::unique_ptr<const octree::sparse_octree> tree_;
   traversal work_;
 };
 
 template <class Surface>
 expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels) {
-  auto work =
-      octree::surface_traversal<Surface>::make(Surface{}, s.root(), s.domain, octree_level, levels);
-  if (!work)
-    return unexpected{work.reason()};
-  return std::unique_ptr<caster>(std::make_unique<surface_caster<Surface>>(*std::move(work)));
+  return surface_caster<Surface>::make(s.domain, octree_level, levels);
 }
 
-constexpr octree::cube symmetric(double half) { return {{-half, -half, -half}, 2 * half}; }
+constexpr octree::box symmetric(double half) {
+  return {{-half, -half, -half}, {half, half, half}};
+}
 
 } // namespace
-
-octree::cube scene::root() const {
-  double half = 0;
-  for (int a = 0; a < 3; ++a)
-    half = std::max({half, std::fabs(domain.lo[a]), std::fabs(domain.hi(a))});
-  int exponent = 0;
-  if (std::frexp(half, &exponent) == 0.5)
-    --exponent; // a power of two is its own hull
-  return symmetric(std::ldexp(1.0, exponent));
-}
 
 std::span<const scene> scenes() {
   static const std::vector<scene> table = {

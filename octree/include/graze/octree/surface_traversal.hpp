@@ -204,7 +204,7 @@ public:
   /// undecided, [0, infinity].
   [[nodiscard]] surface_hit first_hit(const ray& r, traversal_counts* counts = nullptr) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const typename M::scope method_scope;
+    [[maybe_unused]] const typename M::scope method_scope;
     [[maybe_unused]] const surface_scope scope;
     surface_hit result{verdict::miss, infinity, infinity, {{}, 0}, false};
     if ((_mm_getcsr() & flush_bits) != 0) {

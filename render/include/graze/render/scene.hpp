@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 #include <graze/expected.hpp>
-#include <graze/octree/cube.hpp>
+#include <graze/octree/box.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/render/camera.hpp>
 #include <graze/render/shading.hpp>
@@ -33,7 +33,7 @@ struct scene {
   std::string name;
   std::string formula;
   double scale;        ///< S: the eye and the lights are at multiples of it
-  octree::cube domain; ///< the surface is cut off at its faces
+  octree::box domain; ///< the surface is cut off at its faces
   material look;
   /// Makes the octree and the traversal; refuses levels outside of 1..53 with the reason.
   std::function<expected<std::unique_ptr<caster>>(const scene&, int octree_level, int levels)>
@@ -41,8 +41,6 @@ struct scene {
 
   [[nodiscard]] camera view() const { return camera::standard(scale); }
   [[nodiscard]] std::array<light, 2> lights() const { return standard_lights(scale); }
-  /// The smallest cube [-2^E, 2^E]^3 that holds the domain.
-  [[nodiscard]] octree::cube root() const;
 };
 
 /// The scenes of DESIGN's table that are built in.
