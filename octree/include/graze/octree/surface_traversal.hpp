@@ -145,7 +145,7 @@ private:
   /// Nor does it change between the last octant kept and the next one: where rounding hides the
   /// sign at the former's end, it shows a little further on.
   void look_between(double next) {
-    double step = step_;
+    double step = std::max(step_, std::nextafter(far_, infinity) - far_); // an octant may look flat
     for (; unresolved_ && far_ + step < next; step += step)
       unresolved_ = !look_at(far_ + step);
     unresolved_ = false;
@@ -204,7 +204,7 @@ public:
   /// undecided, [0, infinity].
   [[nodiscard]] surface_hit first_hit(const ray& r, traversal_counts* counts = nullptr) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const typename M::scope method_scope;
+    [[maybe_unused]] const typename M::scope method_scope;
     [[maybe_unused]] const surface_scope scope;
     surface_hit result{verdict::miss, infinity, infinity, {{}, 0}, false};
     if ((_mm_getcsr() & flush_bits) != 0) {
