@@ -16,6 +16,11 @@ double since(clock::time_point start) {
 
 std::uint64_t size_of(voxel_set set) { return static_cast<std::uint64_t>(std::popcount(set)); }
 
+void keep_lower(std::optional<std::uint64_t>& lowest, std::uint64_t ray) {
+  if (!lowest || ray < *lowest)
+    lowest = ray;
+}
+
 constexpr finding_set misses_and_gaps =
     bit(finding::crossed_miss) | bit(finding::gap) | bit(finding::miss);
 
@@ -41,7 +46,7 @@ void work(shared_state& shared) {
   const auto under_test = plan.under_test->make();
   const std::uint64_t kinds = plan.generators.size();
   std::vector<counts> by_generator(kinds);
-  std::array<std::optional<std::uint64_t>, finding_kinds> first;
+  decltype(campaign_result::first) first(kinds);
   std::optional<double> first_miss;
   visited said;
 
@@ -56,8 +61,8 @@ void work(shared_state& shared) {
     if (!first_miss && (v.findings & misses_and_gaps) != 0)
       first_miss = since(shared.start);
     for (unsigned k = 0; k < finding_kinds; ++k)
-      if ((v.findings >> k & 1) != 0 && (!first[k] || ray < *first[k]))
-        first[k] = ray;
+      if ((v.findings >> k & 1) != 0)
+        keep_lower(first[ray % kinds][k], ray);
   };
 
   while (!shared.stop.load(std::memory_order_relaxed) &&
@@ -75,9 +80,10 @@ void work(shared_state& shared) {
   campaign_result& all = shared.result;
   for (std::size_t g = 0; g < kinds; ++g)
     all.by_generator[g] += by_generator[g];
-  for (unsigned k = 0; k < finding_kinds; ++k)
-    if (first[k] && (!all.first[k] || *first[k] < *all.first[k]))
-      all.first[k] = first[k];
+  for (std::size_t g = 0; g < kinds; ++g)
+    for (unsigned k = 0; k < finding_kinds; ++k)
+      if (first[g][k])
+        keep_lower(all.first[g][k], *first[g][k]);
   if (first_miss && (!all.first_miss_seconds || *first_miss < *all.first_miss_seconds))
     all.first_miss_seconds = first_miss;
   --shared.running;
@@ -120,8 +126,9 @@ counts& counts::operator+=(const counts& other) {
 
 std::optional<finding> campaign_result::worst_finding() const {
   for (unsigned k = 0; k < finding_kinds; ++k)
-    if (first[k])
-      return static_cast<finding>(k);
+    for (const auto& of_generator : first)
+      if (of_generator[k])
+        return static_cast<finding>(k);
   return std::nullopt;
 }
 
@@ -133,6 +140,7 @@ campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>&
                              const std::function<void(std::uint64_t, double)>& progress) {
   shared_state shared(plan, stop);
   shared.result.by_generator.resize(plan.generators.size());
+  shared.result.first.resize(plan.generators.size());
   const unsigned threads = std::max(1u, plan.threads);
   shared.running = threads;
   {

@@ -240,7 +240,11 @@ void subnormal(random_stream& random, trial& t) {
   const site s = pick_site(random, t);
   const int bits = random.between(0, 20);
   lead_along(random, t, s.vertex, integer_direction(random, bits), bits);
-  scale(t.direction, random.one_in(3) ? random.between(-600, -480) : random.between(-1074, -1000));
+  const int down = random.one_in(3) ? random.between(-600, -480) : random.between(-1074, -1000);
+  scale(t.direction, down);
+  for (double& x : t.direction) // where that was not exact, near is good enough
+    if (std::fabs(x) > 0x1p-400)
+      x = std::ldexp(x, down);
   if (random.one_in(3)) {
     double& x = t.direction[random.below(3)];
     x = random.coin() ? step_ulps(x, random.between(-2, 2)) : random_double(random, -1074, -480);
@@ -269,7 +273,10 @@ void far_origin(random_stream& random, trial& t) {
     const int bits = random.between(0, 3);
     const vec3 d = integer_direction(random, bits);
     for (unsigned a = 0; a < 3; ++a) {
-      t.origin[a] = exact_origin(s.vertex[a], d[a] * std::ldexp(t.root.size, exponent));
+      const double away = d[a] * std::ldexp(t.root.size, exponent);
+      t.origin[a] = exact_origin(s.vertex[a], away);
+      if (t.origin[a] == s.vertex[a])
+        t.origin[a] = s.vertex[a] - away; // then rounded
       t.direction[a] = d[a];
     }
   } else {

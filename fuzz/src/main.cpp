@@ -160,7 +160,9 @@ int replay_file(const replay_options& options) {
   bool any = false;
   for (const replay_case& c : *cases) {
     const replay_result r = replay(c.at, *under_test);
-    any = any || r.findings != 0;
+    any = any || r.findings != 0 || !r.oracles_agree;
+    if (!r.oracles_agree)
+      fmt::print(stderr, "graze-fuzz: line {}: the two oracles disagree: a bug of graze\n", c.line);
     if (options.json) {
       fmt::print("{}\n", to_json_line(c, r, entry->name));
       continue;
@@ -196,6 +198,12 @@ int main(int argc, char** argv) {
   app.footer(examples);
   app.require_subcommand(1);
 
+  // the parser takes -5 for an unsigned number and wraps it
+  const CLI::Validator not_negative(
+      [](std::string& text) {
+        return text.starts_with('-') ? text + " is negative" : std::string();
+      },
+      "", "not negative");
   run_options run_with;
   CLI::App* run_command = app.add_subcommand("run", "Search for missed octants");
   run_command->add_option("--traversal", run_with.traversal, "What is under test")
@@ -207,8 +215,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   run_command->add_option("--seconds", run_with.seconds,
                           "Budget of time (5, if no budget is given)");
-  run_command->add_option("--rays", run_with.rays, "Budget of rays");
+  run_command->add_option("--rays", run_with.rays, "Budget of rays")->check(not_negative);
   run_command->add_option("--seed", run_with.seed, "Ray k of a seed is always the same ray")
+      ->check(not_negative)
       ->capture_default_str();
   run_command->add_option("--threads", run_with.threads, "Threads")->capture_default_str();
   run_command->add_option("--save", run_with.save,

@@ -155,8 +155,9 @@ replay_result replay(const trial& t, traversal& under_test) {
     if (oracle::rational::owns(t.origin, t.direction, box.lo, hi, closed))
       r.owns |= only;
   }
-  // order, gaps and the rest need the steps; the sets are the rational ones
+  // order and gaps need the steps, which are only told by the fast oracle
   truth is = truth_of(t);
+  r.oracles_agree = is.touched == r.touches && is.crossed == r.crosses && is.owned == r.owns;
   is.touched = r.touches;
   is.crossed = r.crosses;
   is.owned = r.owns;
@@ -177,6 +178,7 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
   for (unsigned k = 0; k < finding_kinds; ++k)
     if ((r.findings >> k & 1) != 0)
       line["findings"].push_back(name_of(static_cast<finding>(k)));
+  line["oracles_agree"] = r.oracles_agree;
   if (std::popcount(c.at.all()) > 1)
     for (voxel_set left = c.at.all(); left != 0; left &= left - 1) {
       const auto v = static_cast<voxel>(std::countr_zero(left));

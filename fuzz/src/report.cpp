@@ -42,10 +42,18 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
   const auto kind = result.worst_finding();
   if (!kind)
     return std::nullopt;
-  const std::uint64_t ray = *result.first[static_cast<unsigned>(*kind)];
-  const trial found = trial_of(plan, ray);
   const auto under_test = plan.under_test->make();
-  return counterexample{*kind, ray, found, shrink(found, *under_test, *kind)};
+  std::optional<counterexample> simplest;
+  for (const auto& of_generator : result.first) {
+    const auto& ray = of_generator[static_cast<unsigned>(*kind)];
+    if (!ray)
+      continue;
+    const trial found = trial_of(plan, *ray);
+    const trial shrunk = shrink(found, *under_test, *kind);
+    if (!simplest || complexity_of(shrunk) < complexity_of(simplest->shrunk))
+      simplest = counterexample{*kind, *ray, found, shrunk};
+  }
+  return simplest;
 }
 
 std::string table(const campaign_plan& plan, const campaign_result& result) {

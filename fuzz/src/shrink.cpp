@@ -136,11 +136,9 @@ void offer_fewer_bits(const trial& t, candidates& out) {
     put(0);
     put(std::copysign(1.0, x));
     put(std::fabs(x));
-    for (const int n : widths)
+    const int bits = significant_bits(x);
+    for (int n = 1; n < bits; ++n)
       for (const double y : rounded(x, n))
-        put(y);
-    if (const int bits = significant_bits(x); bits > 1)
-      for (const double y : rounded(x, bits - 1))
         put(y);
     int exponent = 0;
     const double significand = std::frexp(x, &exponent);
@@ -184,17 +182,16 @@ void offer_scale(const trial& t, candidates& out) {
 } // namespace
 
 complexity complexity_of(const trial& t) {
-  complexity c{t.extent[0] * t.extent[1] * t.extent[2], t.level, 0, 0};
-  for (unsigned a = 0; a < 3; ++a)
-    if (t.base[a] != 0)
-      c.significant += 64 - std::countl_zero(t.base[a]) - std::countr_zero(t.base[a]);
+  const auto width = [](unsigned n) { return static_cast<int>(std::bit_width(n)); };
+  complexity c{t.extent[0] * t.extent[1] * t.extent[2], t.level, 0};
+  for (const std::uint64_t b : t.base)
+    if (b != 0)
+      c.bits += 64 - std::countl_zero(b) - std::countr_zero(b);
   for (unsigned i = 0; i < 6; ++i) {
     const double x = number(t, i);
-    c.significant += significant_bits(x);
+    c.bits += 2 * significant_bits(x) + (std::signbit(x) ? 1 : 0);
     if (x != 0)
-      c.exponents += 2 * std::abs(std::ilogb(x));
-    if (std::signbit(x))
-      ++c.exponents;
+      c.bits += width(static_cast<unsigned>(std::abs(std::ilogb(x))));
   }
   return c;
 }

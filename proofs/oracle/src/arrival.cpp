@@ -69,7 +69,7 @@ wide_product product(const wide_difference& x, const dyadic& y) {
       static_cast<std::uint64_t>(lower >> 64);
   wide_product r{x.exponent + y.exponent, static_cast<std::uint64_t>(upper >> 64),
                  static_cast<std::uint64_t>(upper), static_cast<std::uint64_t>(lower)};
-  while (r.high == 0) {
+  for (int limb = 0; limb < 2 && r.high == 0; ++limb) {
     r.high = r.middle;
     r.middle = r.low;
     r.low = 0;

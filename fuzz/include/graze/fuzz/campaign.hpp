@@ -40,6 +40,7 @@ struct counts {
 
   void add(const verdict& v);
   counts& operator+=(const counts& other);
+  friend bool operator==(const counts&, const counts&) = default;
 };
 
 struct campaign_result {
@@ -47,8 +48,8 @@ struct campaign_result {
   counts total;
   double seconds = 0;
   std::optional<double> first_miss_seconds; ///< until the first miss or gap
-  /// For each kind of finding the first ray (lowest number) that showed it.
-  std::array<std::optional<std::uint64_t>, finding_kinds> first;
+  /// For each generator and each kind of finding the first ray (lowest number) that showed it.
+  std::vector<std::array<std::optional<std::uint64_t>, finding_kinds>> first;
   bool interrupted = false;
 
   /// The most serious kind found, if any.

@@ -34,11 +34,12 @@ expected<std::vector<replay_case>> read_replay_file(const std::string& path);
 struct replay_result {
   voxel_set touches = 0, crosses = 0, owns = 0, visited = 0; ///< by octant of the block
   finding_set findings = 0;
+  bool oracles_agree = true; ///< the rational answers are those that the campaign judges by
 };
 replay_result replay(const trial& t, traversal& under_test);
 
-/// One JSON object on one line: line, traversal, touches, crosses, owns, visited, findings, and for
-/// a block the same for each octant.
+/// One JSON object on one line: line, traversal, touches, crosses, owns, visited, findings,
+/// oracles_agree, and for a block the same for each octant.
 std::string to_json_line(const replay_case& c, const replay_result& r,
                          std::string_view traversal_name);
 

@@ -5,7 +5,8 @@
 
 namespace graze::fuzz {
 
-/// The ray that shows the most serious finding, before and after shrinking.
+/// A ray that shows the most serious finding, before and after shrinking: of the generators' first
+/// ones, that which shrinks to the simplest.
 struct counterexample {
   finding kind;
   std::uint64_t ray; ///< its number in the campaign

@@ -8,10 +8,9 @@ namespace graze::fuzz {
 
 /// How much there is to read in a trial; shrinking only ever lowers it.
 struct complexity {
-  int octants;     ///< octants of the block
-  int level;       ///< levels to descend
-  int significant; ///< significant bits of the six numbers of the ray and of the octant's place
-  int exponents;   ///< how far the numbers' exponents are from 0, and signs
+  int octants; ///< octants of the block
+  int level;   ///< levels to descend
+  int bits;    ///< significant bits, exponents and signs of the ray and of the octant's place
   friend auto operator<=>(const complexity&, const complexity&) = default;
 };
 complexity complexity_of(const trial& t);
@@ -23,10 +22,10 @@ std::vector<trial> simpler(const trial& t);
 /// Greedy: takes the first simpler trial that still fails, until none does or `evaluations` are
 /// used.
 trial shrink(const trial& failing, const std::function<bool(const trial&)>& still_fails,
-             unsigned evaluations = 200'000);
+             unsigned evaluations = 30'000);
 
 /// The same for a traversal: keeps `kind` among the findings, judged exactly each time.
 trial shrink(const trial& failing, traversal& under_test, finding kind,
-             unsigned evaluations = 200'000);
+             unsigned evaluations = 30'000);
 
 } // namespace graze::fuzz

@@ -65,7 +65,7 @@ struct nearest {
       const int shift = p.field - a.field - b.field + 1075;
       const auto error =
           static_cast<std::int64_t>(a.significand * b.significand - (p.significand << shift));
-      product = up_if(p.is_negative ? error < 0 : error > 0, product);
+      product = up_if((p.is_negative ? -error : error) > 0, product);
     }
 #endif
     hardware::pin(product);
@@ -83,7 +83,7 @@ struct nearest {
     if (remainder == 0 && magnitude_of(x) < 0x1p-968) [[unlikely]]
       quotient = div_up_slow(x, y);
     else
-      quotient = up_if(exact::negative(y) ? remainder < 0 : remainder > 0, quotient);
+      quotient = up_if(__builtin_copysign(1.0, y) * remainder > 0, quotient);
 #else
     const parts a = x, b = y, q = quotient;
     if (!(a.normal() && b.normal() && q.normal())) [[unlikely]] {
@@ -94,7 +94,7 @@ struct nearest {
       const int shift = a.field - q.field - b.field + 1075;
       const auto remainder =
           static_cast<std::int64_t>((a.significand << shift) - q.significand * b.significand);
-      quotient = up_if(q.is_negative ? remainder < 0 : remainder > 0, quotient);
+      quotient = up_if((q.is_negative ? -remainder : remainder) > 0, quotient);
     }
 #endif
     hardware::pin(quotient);
@@ -128,9 +128,10 @@ struct nearest {
 private:
   /// The double above x if `inexact`, else x. Not for NaN. A zero steps within its sign: -0 does
   /// not occur (rounding to zero keeps the sign, and what exceeds -0 is negative).
+  /// Without a branch: the sign of an error is a coin toss.
   static constexpr double up_if(bool inexact, double x) {
     const auto bits = std::bit_cast<std::int64_t>(x);
-    return std::bit_cast<double>(bits + (inexact ? (bits >> 63 | 1) : 0));
+    return std::bit_cast<double>(bits + (-std::int64_t{inexact} & (bits >> 63 | 1)));
   }
   static constexpr double magnitude_of(double x) { return __builtin_fabs(x); }
 

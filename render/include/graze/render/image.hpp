@@ -1,0 +1,45 @@
+#pragma once
+/// Pictures as named channels of floats, and their files. OpenImageIO is behind this header and
+/// nowhere else.
+#include <cstdint>
+#include <filesystem>
+#include <graze/expected.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace graze::render {
+
+/// One plane of values, row by row from the top.
+struct channel {
+  std::string name; ///< "R", "G", "B", "Z"; a layer's channels will be "normal.x" and so on
+  std::vector<float> values;
+};
+
+/// Linear values, all channels of one size.
+struct picture {
+  int width = 0;
+  int height = 0;
+  std::vector<channel> channels;
+  std::vector<std::pair<std::string, std::string>> metadata;
+
+  [[nodiscard]] const channel* find(const std::string& name) const;
+};
+
+enum class file_format { png, exr };
+
+/// By extension, in any case of letters; refuses others and says which there are.
+expected<file_format> format_of(const std::filesystem::path& file);
+
+/// The sRGB byte of a linear value (IEC 61966-2-1, rounded to nearest); clamps to [0, 1], NaN is 0.
+std::uint8_t srgb_byte(float linear);
+
+/// The bytes of the file. png: the channels R, G, B as 8-bit sRGB. exr: every channel as a 32-bit
+/// float, lossless. The same picture gives the same bytes: no date is written.
+expected<std::vector<unsigned char>> encode(const picture& image, file_format format);
+
+/// Reads a file back: exr as it was written, png as R, G, B in [0, 1] without undoing the sRGB
+/// curve.
+expected<picture> read_picture(const std::filesystem::path& file);
+
+} // namespace graze::render

@@ -1,0 +1,53 @@
+#pragma once
+/// Scenes: a surface, its domain, a camera, lights and a material, and nothing that the picture
+/// does not need.
+#include <array>
+#include <functional>
+#include <graze/expected.hpp>
+#include <graze/octree/box.hpp>
+#include <graze/octree/surface_traversal.hpp>
+#include <graze/render/camera.hpp>
+#include <graze/render/shading.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace graze::render {
+
+/// The ray/surface work of one scene at one NL, whatever the type of its surface. Safe to be used
+/// by several threads at once. The virtual call is once a ray.
+class caster {
+public:
+  virtual ~caster() = default;
+  /// The first intersection of the ray with the surface, in the ray's own t; adds to `counts`.
+  virtual octree::surface_hit first_hit(const octree::ray& r,
+                                        octree::traversal_counts* counts) const = 0;
+  /// The surface's gradient near `point`, rounded to nearest; for light only. 0 at singular points.
+  virtual vec3 gradient(const vec3& point) const = 0;
+  /// Leaves of the octree in which the surface may be.
+  virtual std::uint64_t octree_leaves() const = 0;
+};
+
+struct scene {
+  std::string name;
+  std::string formula;
+  double scale;        ///< S: the eye and the lights are at multiples of it
+  octree::box domain; ///< the surface is cut off at its faces
+  material look;
+  /// Makes the octree and the traversal; refuses levels outside of 1..53 with the reason.
+  std::function<expected<std::unique_ptr<caster>>(const scene&, int octree_level, int levels)>
+      prepare;
+
+  [[nodiscard]] camera view() const { return camera::standard(scale); }
+  [[nodiscard]] std::array<light, 2> lights() const { return standard_lights(scale); }
+};
+
+/// The scenes of DESIGN's table that are built in.
+std::span<const scene> scenes();
+/// nullptr where there is none of this name.
+const scene* find_scene(std::string_view name);
+/// "spheres, quartdef, ...".
+std::string scene_names();
+
+} // namespace graze::render

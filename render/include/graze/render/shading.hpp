@@ -1,0 +1,83 @@
+#pragma once
+/// Light. Ray casting only: no shadow, no reflection. Colours are linear, in Rec. 709 primaries.
+#include <array>
+#include <cmath>
+#include <graze/octree/vector.hpp>
+
+namespace graze::render {
+
+using octree::vec3;
+using colour = std::array<double, 3>;
+
+/// A point light of constant strength: it does not weaken with distance.
+struct light {
+  vec3 position;
+  double intensity;
+};
+
+/// Lambert and a little Blinn-Phong:
+///   ambient B + sum over lights of I (diffuse B max(0, n.l) + specular max(0, n.h)^32)
+/// with B the body's colour, l towards the light, h halfway between l and the eye.
+struct material {
+  colour body;
+  double ambient = 0.15;
+  double diffuse = 0.9;
+  double specular = 0.25;
+};
+
+/// What no ray hit.
+inline constexpr colour background = {0.84, 0.87, 0.91};
+/// A pixel whose ray could be neither shown to hit nor to miss.
+inline constexpr colour undecided_colour = {1, 0, 1};
+/// A pixel whose ray was not cast, since the picture was interrupted.
+inline constexpr colour unfinished_colour = {0, 0, 0};
+
+/// DESIGN's two lights at scale S.
+inline std::array<light, 2> standard_lights(double scale) {
+  return {light{{scale * 10, scale * 12, scale * 4}, 0.8},
+          light{{scale * -8, scale * 6, scale * 10}, 0.5}};
+}
+
+namespace detail {
+inline double dot(const vec3& a, const vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+/// v / |v|, or `otherwise` where v is 0 or not finite (a surface's singular point has no normal).
+inline vec3 unit(const vec3& v, const vec3& otherwise) {
+  const double length = std::sqrt(dot(v, v));
+  if (!(length > 0) || !std::isfinite(length))
+    return otherwise;
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+} // namespace detail
+
+/// The colour at `point` with the given gradient of the surface (any length, either orientation:
+/// the side that the eye sees is lit), seen along `direction` (any length). Not clamped to 1.
+template <class Lights>
+colour shade(const material& m, const vec3& point, const vec3& gradient, const vec3& direction,
+             const Lights& lights) {
+  const vec3 to_eye = detail::unit({-direction[0], -direction[1], -direction[2]}, {0, 0, 1});
+  vec3 normal = detail::unit(gradient, to_eye);
+  if (detail::dot(normal, to_eye) < 0)
+    for (double& n : normal)
+      n = -n;
+  colour result;
+  for (int c = 0; c < 3; ++c)
+    result[c] = m.ambient * m.body[c];
+  for (const light& lamp : lights) {
+    const vec3 to_light = detail::unit(
+        {lamp.position[0] - point[0], lamp.position[1] - point[1], lamp.position[2] - point[2]},
+        normal);
+    const double lambert = detail::dot(normal, to_light);
+    if (!(lambert > 0))
+      continue;
+    const vec3 halfway = detail::unit(
+        {to_light[0] + to_eye[0], to_light[1] + to_eye[1], to_light[2] + to_eye[2]}, normal);
+    double shine = std::fmax(0.0, detail::dot(normal, halfway));
+    for (int square = 0; square < 5; ++square)
+      shine *= shine; // to the 32nd, without a libm
+    for (int c = 0; c < 3; ++c)
+      result[c] += lamp.intensity * (m.diffuse * m.body[c] * lambert + m.specular * shine);
+  }
+  return result;
+}
+
+} // namespace graze::render

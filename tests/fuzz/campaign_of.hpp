@@ -1,0 +1,28 @@
+#pragma once
+#include <catch2/catch.hpp>
+#include <graze/fuzz/campaign.hpp>
+
+namespace graze::fuzz {
+
+/// A plan with all generators (or one) and a budget of rays.
+inline campaign_plan plan_of(std::string_view traversal, int level, std::uint64_t rays,
+                             std::string_view only = {}) {
+  campaign_plan plan;
+  plan.under_test = find_traversal(traversal);
+  REQUIRE(plan.under_test != nullptr);
+  for (const generator& g : generators())
+    if (only.empty() || g.name == only)
+      plan.generators.push_back(&g);
+  REQUIRE_FALSE(plan.generators.empty());
+  plan.level = level;
+  plan.rays = rays;
+  plan.threads = 2;
+  return plan;
+}
+
+inline campaign_result run(const campaign_plan& plan) {
+  const std::atomic<bool> stop{false};
+  return run_campaign(plan, stop);
+}
+
+} // namespace graze::fuzz

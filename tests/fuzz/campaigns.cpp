@@ -1,0 +1,94 @@
+#include "campaign_of.hpp"
+#include <graze/fuzz/report.hpp>
+
+using namespace graze::fuzz;
+
+namespace {
+
+void nothing_found(std::string_view name, int level, std::uint64_t rays) {
+  const campaign_plan plan = plan_of(name, level, rays);
+  const campaign_result result = run(plan);
+  const auto c = counterexample_of(plan, result);
+  INFO(table(plan, result) << (c ? describe(plan, *c) : ""));
+  CHECK(result.total.rays == rays);
+  CHECK(result.total.touched > rays);
+  CHECK(result.total.misses == 0);
+  CHECK(result.total.gaps == 0);
+  CHECK(result.total.order_errors == 0);
+  CHECK(result.total.findings == 0);
+}
+
+} // namespace
+
+TEST_CASE("fuzz.campaign: sound misses nothing at level 10", "[property]") {
+  nothing_found("sound", 10, 300'000);
+}
+TEST_CASE("fuzz.campaign: sound misses nothing at level 30", "[property]") {
+  nothing_found("sound", 30, 300'000);
+}
+TEST_CASE("fuzz.campaign: sound misses nothing at level 50", "[property]") {
+  nothing_found("sound", 50, 300'000);
+}
+TEST_CASE("fuzz.campaign: sound misses nothing at the first and the last level", "[property]") {
+  nothing_found("sound", 1, 50'000);
+  nothing_found("sound", 53, 50'000);
+}
+TEST_CASE("fuzz.campaign: sound-closed misses no touched octant", "[property]") {
+  for (const int level : {10, 30, 50})
+    nothing_found("sound-closed", level, 50'000);
+}
+TEST_CASE("fuzz.campaign: sound on every backend misses nothing", "[property]") {
+  for (const traversal_entry& e : traversals())
+    if (e.name.starts_with("sound-"))
+      nothing_found(e.name, 50, 30'000);
+}
+
+TEST_CASE("fuzz.campaign: counts and first findings do not depend on the number of threads",
+          "[property]") {
+  campaign_plan plan = plan_of("published", 40, 20'001);
+  plan.threads = 1;
+  const campaign_result one = run(plan);
+  for (const unsigned threads : {2u, 3u, 7u}) {
+    plan.threads = threads;
+    const campaign_result many = run(plan);
+    CHECK(many.first == one.first);
+    REQUIRE(many.by_generator.size() == one.by_generator.size());
+    for (std::size_t g = 0; g < one.by_generator.size(); ++g)
+      CHECK(many.by_generator[g] == one.by_generator[g]);
+    const auto a = counterexample_of(plan, one), b = counterexample_of(plan, many);
+    REQUIRE((a && b));
+    CHECK(a->shrunk == b->shrunk);
+  }
+}
+
+TEST_CASE("fuzz.campaign: a piece of a campaign counts the same rays", "[property]") {
+  campaign_plan plan = plan_of("gargantini", 20, 6000);
+  const counts whole = run(plan).total;
+  counts pieces;
+  for (const std::uint64_t from : {0, 2000, 4000}) {
+    plan.first_ray = from;
+    plan.rays = 2000;
+    pieces += run(plan).total;
+  }
+  CHECK(pieces == whole);
+}
+
+TEST_CASE("fuzz.campaign: stops when told and keeps what it has", "[unit]") {
+  campaign_plan plan = plan_of("sound", 10, 0);
+  plan.seconds = 100;
+  std::atomic<bool> stop{false};
+  const campaign_result result =
+      run_campaign(plan, stop, [&](std::uint64_t, double) { stop = true; });
+  CHECK(result.interrupted);
+  CHECK(result.seconds < 50);
+  CHECK(result.total.rays > 0);
+}
+
+TEST_CASE("fuzz.campaign: a budget of time is kept", "[unit]") {
+  campaign_plan plan = plan_of("sound", 10, 0);
+  plan.seconds = 0.2;
+  const campaign_result result = run(plan);
+  CHECK(result.seconds >= 0.2);
+  CHECK(result.seconds < 5);
+  CHECK_FALSE(result.interrupted);
+}

@@ -1,0 +1,192 @@
+/// graze-fuzz as its users meet it: output, exit codes, bad input.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+struct outcome {
+  int code;
+  std::string out, err;
+};
+
+/// A fresh folder, gone at the end.
+class scratch {
+public:
+  scratch() {
+    char name[] = "/tmp/graze-fuzz-XXXXXX";
+    path_ = mkdtemp(name);
+  }
+  ~scratch() { std::filesystem::remove_all(path_); }
+  scratch(const scratch&) = delete;
+  scratch& operator=(const scratch&) = delete;
+  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+
+private:
+  std::string path_;
+};
+
+std::string content(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+outcome call(const std::string& arguments, const std::string& before = "timeout 60 ") {
+  const scratch dir;
+  const std::string command =
+      before + "'" GRAZE_FUZZ "' " + arguments + " >" + (dir / "out") + " 2>" + (dir / "err");
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(dir / "out"), content(dir / "err")};
+}
+
+std::string file_with(const scratch& dir, const std::string& text) {
+  std::ofstream(dir / "rays.jsonl") << text;
+  return dir / "rays.jsonl";
+}
+
+/// One clear line on stderr, nothing on stdout, exit code 2.
+void refused(const std::string& arguments, const std::string& reason) {
+  const outcome o = call(arguments);
+  INFO(arguments << "\n" << o.out << o.err);
+  CHECK(o.code == 2);
+  CHECK(o.out.empty());
+  CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
+  CHECK(o.err.rfind("graze-fuzz: ", 0) == 0);
+  CHECK(o.err.find(reason) != std::string::npos);
+}
+
+const std::string good =
+    R"({"origin":["0x1p-2","0x1p-2","0x0p+0"],"direction":["0x0p+0","0x0p+0","0x1p+0"],"octant":{"lo":["0x0p+0","0x0p+0","0x0p+0"],"size":"0x1p-1"}})";
+
+} // namespace
+
+TEST_CASE("graze-fuzz run: nothing found on sound, exit code 0", "[unit]") {
+  const outcome o = call("run --rays 20000");
+  CHECK(o.code == 0);
+  CHECK(o.out.find("nothing found") != std::string::npos);
+  CHECK(o.out.find("mid-plane") != std::string::npos);
+  CHECK(o.err.empty());
+}
+
+TEST_CASE("graze-fuzz run: --json prints one object with what is promised", "[unit]") {
+  const outcome o = call("run --rays 20000 --level 50 --traversal gargantini --seed 9 --json");
+  CHECK(o.code == 1);
+  const auto object = nlohmann::json::parse(o.out);
+  CHECK(object["traversal"] == "gargantini");
+  CHECK(object["level"] == 50);
+  CHECK(object["seed"] == 9);
+  CHECK(object["rays"] == 20000);
+  for (const char* key : {"touched", "misses", "gaps"})
+    CHECK(object[key] > 0);
+  CHECK(object["spurious"].is_number());
+  CHECK(object["order_errors"].is_number());
+  CHECK(object["rays_per_second"] > 0);
+  CHECK(object["first_miss_seconds"] < 1.0);
+  CHECK(object["counterexample"].contains("octant"));
+  CHECK(object["generators"].size() == 18);
+  const auto clean =
+      nlohmann::json::parse(call("run --rays 2000 --json --generator vertex,random").out);
+  CHECK(clean["counterexample"].is_null());
+  CHECK(clean["first_miss_seconds"].is_null());
+  CHECK(clean["generators"].size() == 2);
+}
+
+TEST_CASE("graze-fuzz run: the saved counterexample replays", "[unit]") {
+  const scratch dir;
+  const std::string file = dir / "miss.jsonl";
+  CHECK(call("run --rays 20000 --traversal published --save " + file).code == 1);
+  const outcome o = call("replay " + file + " --traversal published --json");
+  CHECK(o.code == 1);
+  const auto said = nlohmann::json::parse(o.out);
+  CHECK(said["touches"] == true);
+  CHECK(said["crosses"] == true);
+  CHECK(said["visited"] == false);
+  CHECK(call("replay " + file).code == 0);
+  CHECK_FALSE(std::filesystem::exists(file + ".part"));
+}
+
+TEST_CASE("graze-fuzz run: bad input is one line and exit code 2", "[unit]") {
+  refused("run --traversal nobody", "no traversal is called \"nobody\"");
+  refused("run --generator nothing", "no generator is called \"nothing\"");
+  refused("run --level 0", "level 0 is outside 1..53");
+  refused("run --level 54", "level 54 is outside 1..53");
+  refused("run --level x", "--level");
+  refused("run --seconds nan", "--seconds");
+  refused("run --seconds -1", "--seconds");
+  refused("run --rays -5", "--rays");
+  refused("run --seed -1", "--seed");
+  refused("run --threads 0", "--threads");
+  refused("run --save /no/such/folder/miss.jsonl", "cannot write");
+  refused("run --nonsense", "nonsense");
+  refused("", "subcommand");
+  refused("walk", "");
+}
+
+TEST_CASE("graze-fuzz run: an interrupt ends it early, with its summary", "[unit]") {
+  const scratch dir;
+  const outcome o = call("run --seconds 100 --json", "timeout -s INT 1 ");
+  // timeout itself answers 124 when it had to signal; the summary is what counts
+  const auto object = nlohmann::json::parse(o.out);
+  CHECK(object["interrupted"] == true);
+  CHECK(object["rays"] > 0);
+  CHECK(object["seconds"] < 50);
+}
+
+TEST_CASE("graze-fuzz replay: the recorded cases, line by line", "[unit]") {
+  const outcome o = call("replay " GRAZE_CORPUS "/numerics.jsonl --json");
+  CHECK(o.code == 0);
+  std::istringstream lines(o.out);
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    const auto object = nlohmann::json::parse(line);
+    CHECK(object["touches"] == true);
+    CHECK(object["visited"] == true);
+    CHECK(object["line"] == count + 1);
+  }
+  CHECK(count == 7);
+}
+
+TEST_CASE("graze-fuzz replay: a corrupt file is one line with its number, and nothing half",
+          "[unit]") {
+  const scratch dir;
+  const auto with_second = [&](const std::string& line) {
+    return "replay " + file_with(dir, good + "\n" + line + "\n");
+  };
+  CHECK(call("replay " + file_with(dir, good + "\n\n" + good)).code == 0);
+  refused(with_second("{\"origin\":"), ":2: not JSON");
+  refused(with_second("{}"), ":2: no \"origin\"");
+  refused(
+      with_second(R"({"origin":["nan",0,0],"direction":[1,0,0],"octant":{"lo":[0,0,0],"size":1}})"),
+      ":2: \"origin\"");
+  refused(with_second(R"({"origin":[0,0,0],"direction":[0,0,0],"octant":{"lo":[0,0,0],"size":1}})"),
+          ":2: ray direction is zero");
+  refused(
+      with_second(R"({"origin":[0,0,0],"direction":["inf",0,0],"octant":{"lo":[0,0,0],"size":1}})"),
+      ":2: \"direction\"");
+  refused(with_second(
+              R"({"origin":[0,0,0],"direction":[1,0,0],"octant":{"lo":[0,0,0],"size":"0x1p-54"}})"),
+          ":2: octant size");
+  refused("replay " + file_with(dir, ""), "rays.jsonl");
+  refused("replay /no/such/file", "/no/such/file");
+  refused("replay " + file_with(dir, good) + " --traversal nobody", "nobody");
+}
+
+TEST_CASE("graze-fuzz: help has examples, list has names", "[unit]") {
+  const outcome help = call("--help");
+  CHECK(help.code == 0);
+  CHECK(help.out.find("graze-fuzz run --traversal published") != std::string::npos);
+  const outcome list = call("list");
+  CHECK(list.code == 0);
+  for (const char* name :
+       {"sound", "published", "plain", "gargantini", "vertex", "mid-plane", "mutant-drops"})
+    CHECK(list.out.find(name) != std::string::npos);
+}

@@ -1,0 +1,113 @@
+/// The predicates on cases small enough to be checked by eye.
+#include <catch2/catch.hpp>
+#include <graze/fuzz/properties.hpp>
+
+using namespace graze::fuzz;
+
+namespace {
+
+visited seen(std::initializer_list<voxel> list) {
+  visited v;
+  for (const voxel x : list)
+    v.push(x);
+  return v;
+}
+
+constexpr voxel_set set_of(std::initializer_list<voxel> list) {
+  voxel_set s = 0;
+  for (const voxel x : list)
+    s |= voxel_set{1} << x;
+  return s;
+}
+
+/// The eight octants of level 1.
+trial eight(const vec3& o, const vec3& d) {
+  trial t;
+  t.origin = o;
+  t.direction = d;
+  t.extent = {2, 2, 2};
+  return t;
+}
+
+constexpr voxel o000 = voxel_at(0, 0, 0), o100 = voxel_at(1, 0, 0), o010 = voxel_at(0, 1, 0),
+                o001 = voxel_at(0, 0, 1), o111 = voxel_at(1, 1, 1), o011 = voxel_at(0, 1, 1);
+
+} // namespace
+
+TEST_CASE("fuzz.properties: the diagonal touches eight, owns two, crosses two", "[unit]") {
+  const truth is = truth_of(eight({0, 0, 0}, {1, 1, 1}));
+  CHECK(std::popcount(is.touched) == 8);
+  CHECK(is.owned == set_of({o000, o111}));
+  CHECK(is.crossed == set_of({o000, o111}));
+  REQUIRE(is.owners == 2);
+  CHECK(is.owner_order[0] == o000);
+  CHECK(is.owner_order[1] == o111);
+}
+
+TEST_CASE("fuzz.properties: misses are judged by the promise", "[unit]") {
+  const truth is = truth_of(eight({0, 0, 0}, {1, 1, 1}));
+  const visited both = seen({o000, o111});
+  CHECK(misses(is, both, promise::crossed) == 0);
+  CHECK(misses(is, both, promise::owned) == 0);
+  CHECK(std::popcount(misses(is, both, promise::touched)) == 6);
+  CHECK(misses(is, seen({o111}), promise::owned) == set_of({o000}));
+  CHECK(gaps(is, both) == 0);
+  CHECK(gaps(is, seen({o111})) == 1);
+}
+
+TEST_CASE("fuzz.properties: the root's far faces own their points", "[unit]") {
+  const trial t = eight({1, 0.25, 0.25}, {0, 1, 0});
+  CHECK(truth_of(t).owned == set_of({o100, voxel_at(1, 1, 0)}));
+  trial inner = t; // the same plane is not the root's face one level of the grid further in
+  inner.root = {{0, 0, 0}, 2};
+  inner.level = 2;
+  CHECK(truth_of(inner).owned == 0);
+  CHECK(truth_of(inner).touched == set_of({o100, voxel_at(1, 1, 0)}));
+}
+
+TEST_CASE("fuzz.properties: a length in the block's hull belongs to others too, and is no gap",
+          "[unit]") {
+  trial t = eight({1, 0.25, 0.25}, {0, 1, 0});
+  CHECK(gaps(truth_of(t), seen({})) == 2); // at the root's face there is nobody else
+  t.root = {{0, 0, 0}, 2};
+  t.level = 2;
+  CHECK(gaps(truth_of(t), seen({})) == 0);
+}
+
+TEST_CASE("fuzz.properties: one visited neighbour covers a length in their common face", "[unit]") {
+  const truth is = truth_of(eight({0.5, 0, 0.25}, {0, 1, 0}));
+  CHECK(is.crossed == 0);
+  CHECK(gaps(is, seen({})) == 2);
+  CHECK(gaps(is, seen({o000})) == 1);
+  CHECK(gaps(is, seen({o100, o010})) == 0);
+}
+
+TEST_CASE("fuzz.properties: order counts owners only", "[unit]") {
+  const truth is = truth_of(eight({0.25, 0, 0.5}, {0, 1, 0})); // in the mid-plane z = 1/2
+  CHECK(is.owned == set_of({o001, o011}));
+  CHECK_FALSE(out_of_order(is, seen({o001, o011})));
+  CHECK_FALSE(out_of_order(is, seen({o010, o001, o000, o011})));
+  CHECK(out_of_order(is, seen({o011, o001})));
+  CHECK_FALSE(out_of_order(is, seen({o011})));
+}
+
+TEST_CASE("fuzz.properties: spurious near the ray is rounding, far from it is not", "[unit]") {
+  const trial near = eight({0.25, 0.25, std::nextafter(0.5, 0)}, {1, 0, 0});
+  CHECK(spurious(truth_of(near), seen({o001})) == set_of({o001}));
+  CHECK(far_spurious(near, truth_of(near), seen({o001})) == 0);
+  const trial far = eight({0.25, 0.25, 0.25}, {1, 0, 0});
+  CHECK(far_spurious(far, truth_of(far), seen({o001})) == set_of({o001}));
+}
+
+TEST_CASE("fuzz.properties: a repeated octant and one from outside are noticed", "[unit]") {
+  const trial t = eight({0, 0, 0}, {1, 1, 1});
+  visited said = seen({o000, o111, o000});
+  CHECK(said.repeated());
+  CHECK(judge(t, truth_of(t), said, promise::owned).findings == bit(finding::revisit));
+  said = seen({o000, o111});
+  said.push_outside();
+  CHECK(judge(t, truth_of(t), said, promise::owned).findings == bit(finding::outside));
+  said.clear();
+  CHECK_FALSE(said.outside());
+  CHECK(said.size() == 0);
+}

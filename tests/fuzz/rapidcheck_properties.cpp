@@ -1,0 +1,71 @@
+/// The same predicates under RapidCheck: every generator, every level, shrunk and printed in hex.
+/// A failure prints the string for RC_PARAMS that reproduces it.
+#include <catch2/catch.hpp>
+#include <graze/fuzz/rapidcheck.hpp>
+#include <sstream>
+
+using namespace graze::fuzz;
+
+namespace {
+
+/// rc::prop prints nothing by which a failure could be reproduced; with an id it does.
+template <class Testable>
+rc::detail::TestResult checked(const std::string& id, int times, Testable&& testable) {
+  rc::detail::TestMetadata metadata;
+  metadata.id = id;
+  metadata.description = id;
+  rc::detail::TestParams params;
+  params.seed = 20240601;
+  params.maxSuccess = times;
+  const auto& configured = rc::detail::configuration();
+  if (!configured.reproduce.empty())
+    return rc::detail::checkTestable(std::forward<Testable>(testable), metadata);
+  return rc::detail::checkTestable(std::forward<Testable>(testable), metadata, params);
+}
+
+template <class Testable> void holds(const std::string& id, int times, Testable&& testable) {
+  const auto result = checked(id, times, std::forward<Testable>(testable));
+  std::ostringstream text;
+  rc::detail::printResultMessage(result, text);
+  INFO(text.str());
+  CHECK(result.template is<rc::detail::SuccessResult>());
+}
+
+} // namespace
+
+TEST_CASE("fuzz.rapidcheck: sound keeps its promise on every generator and level", "[property]") {
+  for (const char* name : {"sound", "sound-closed"}) {
+    const auto under_test = find_traversal(name)->make();
+    holds(name, 20'000, [&] {
+      const trial t = *any_trial();
+      RC_ASSERT(judge(t, *under_test).findings == 0u);
+    });
+  }
+}
+
+TEST_CASE("fuzz.rapidcheck: what owns is touched, what is crossed is owned", "[property]") {
+  holds("crossed, owned, touched", 20'000, [] {
+    const truth is = truth_of(*any_trial());
+    RC_ASSERT((is.crossed & ~is.owned) == 0u);
+    RC_ASSERT((is.owned & ~is.touched) == 0u);
+    RC_ASSERT(std::popcount(is.owned) == static_cast<int>(is.owners));
+  });
+}
+
+TEST_CASE("fuzz.rapidcheck: a failure is shrunk to a few bits and printed in hex floats",
+          "[property]") {
+  const auto published = find_traversal("published")->make();
+  const auto result = checked("published misses", 20'000, [&] {
+    const trial t = *any_trial();
+    RC_ASSERT((judge(t, *published).findings & bit(finding::crossed_miss)) == 0u);
+  });
+  REQUIRE(result.is<rc::detail::FailureResult>());
+  const auto& failure = result.get<rc::detail::FailureResult>();
+  REQUIRE(failure.counterExample.size() == 1);
+  const auto t = from_json_line(failure.counterExample[0].second);
+  INFO(failure.counterExample[0].second);
+  REQUIRE(t);
+  CHECK(complexity_of(*t).octants == 1);
+  CHECK(complexity_of(*t).bits < 80);
+  CHECK((judge(*t, *published).findings & bit(finding::crossed_miss)) != 0);
+}

@@ -1,0 +1,53 @@
+#include "campaign_of.hpp"
+#include <graze/fuzz/shrink.hpp>
+
+using namespace graze::fuzz;
+
+TEST_CASE("fuzz.shrink: every candidate is legal and simpler", "[property]") {
+  for (const generator& g : generators())
+    for (const int level : {3, 50})
+      for (unsigned k = 0; k < 10; ++k) {
+        const trial t = make_trial(g, 21, k, level);
+        for (const trial& s : simpler(t)) {
+          REQUIRE(refusal(s) == "");
+          REQUIRE(complexity_of(s) < complexity_of(t));
+        }
+      }
+}
+
+TEST_CASE("fuzz.shrink: what always fails becomes the simplest trial of all", "[unit]") {
+  for (const generator& g : generators()) {
+    const trial t = shrink(make_trial(g, 22, 0, 50), [](const trial&) { return true; });
+    INFO(g.name);
+    CHECK(t.level == 0);
+    CHECK(t.extent == std::array<std::uint8_t, 3>{1, 1, 1});
+    CHECK(complexity_of(t).bits <= 3); // a direction of one bit, and nothing else
+  }
+}
+
+TEST_CASE("fuzz.shrink: what never fails stays, and the budget is kept", "[unit]") {
+  const trial t = make_trial(*find_generator("vertex"), 23, 0, 30);
+  CHECK(shrink(t, [](const trial&) { return false; }) == t);
+  unsigned asked = 0;
+  (void)shrink(t, [&](const trial&) { return ++asked, true; }, 5);
+  CHECK(asked == 5);
+}
+
+TEST_CASE("fuzz.shrink: keeps the kind of finding for every mutant", "[property]") {
+  for (const traversal_entry& e : mutants()) {
+    const auto under_test = e.make();
+    const campaign_plan plan = plan_of(e.name, 30, 2000);
+    const campaign_result result = run(plan);
+    const auto kind = result.worst_finding();
+    REQUIRE(kind);
+    for (const auto& first : result.first)
+      if (const auto& ray = first[static_cast<unsigned>(*kind)]) {
+        const trial found = trial_of(plan, *ray);
+        const trial small = shrink(found, *under_test, *kind);
+        INFO(e.name << " ray " << *ray);
+        CHECK((judge(small, *under_test).findings & bit(*kind)) != 0);
+        CHECK(small.level < found.level);
+        CHECK(std::popcount(small.all()) <= (*kind == finding::order ? 2 : 1));
+      }
+  }
+}

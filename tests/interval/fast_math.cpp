@@ -1,0 +1,2 @@
+// Must not compile with -ffast-math; see CMakeLists.txt.
+#include <graze/rounding/nearest.hpp>

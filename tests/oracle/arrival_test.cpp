@@ -1,0 +1,125 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <gmpxx.h>
+#include <graze/oracle/arrival.hpp>
+#include <random>
+#include <xmmintrin.h>
+
+using namespace graze::oracle;
+
+namespace {
+
+int order_in_rationals(const arrival& a, const arrival& b) {
+  const mpq_class left = abs(mpq_class(a.plane) - a.origin) * b.speed;
+  const mpq_class right = abs(mpq_class(b.plane) - b.origin) * a.speed;
+  return (left > right ? 1 : 0) - (left < right ? 1 : 0);
+}
+
+/// Pairs of which most are equal or differ in the last bits.
+class close_pairs {
+public:
+  explicit close_pairs(std::uint64_t seed) : random_(seed) {}
+
+  std::pair<arrival, arrival> next(int gap) {
+    small_ = integer(0, 2) == 0;
+    const double scale = std::ldexp(1.0, integer(-gap, gap));
+    const double other_scale = std::ldexp(1.0, integer(-gap, gap));
+    const double origin_a = number() * std::ldexp(1.0, integer(-gap, gap));
+    const double origin_b = number() * std::ldexp(1.0, integer(-gap, gap));
+    const double speed_a = std::fabs(number()) * scale, speed_b = std::fabs(number()) * other_scale;
+    const double t = small_ ? integer(1, 15) : std::fabs(number());
+    return {arrival(nudged(origin_a + t * speed_a), origin_a, speed_a),
+            arrival(nudged(origin_b + t * speed_b), origin_b, speed_b)};
+  }
+
+private:
+  int integer(int from, int to) { return std::uniform_int_distribution<>(from, to)(random_); }
+  double number() {
+    if (small_ || integer(0, 2) == 0)
+      return integer(0, 1) != 0 ? integer(1, 15) : -integer(1, 15);
+    return std::ldexp(static_cast<double>(static_cast<std::int64_t>(random_() | 1)), -63);
+  }
+  double nudged(double x) {
+    return integer(0, 2) != 0 ? x : std::nextafter(x, integer(0, 1) != 0 ? 1e308 : -1e308);
+  }
+  std::mt19937_64 random_;
+  bool small_ = false; // all numbers of the pair are small integers times powers of two
+};
+
+bool legal(const arrival& a) {
+  return std::isfinite(a.plane) && a.plane != a.origin && std::isfinite(a.speed) && a.speed > 0;
+}
+
+} // namespace
+
+TEST_CASE("oracle.arrival: equals the rational order, by every one of its three methods",
+          "[property][hardcase]") {
+  close_pairs random(1);
+  decisions = {};
+  std::array<int, 3> seen{};
+  int compared = 0;
+  for (int i = 0; i < 400'000; ++i) {
+    const auto [a, b] = random.next(i % 4 == 0 ? 1000 : (i % 4 == 1 ? 60 : 4));
+    if (!legal(a) || !legal(b))
+      continue;
+    ++compared;
+    const int expected = order_in_rationals(a, b);
+    ++seen[static_cast<unsigned>(expected + 1)];
+    if (compare(a, b) != expected || compare(b, a) != -expected ||
+        compare_exactly(a, b) != expected) {
+      CAPTURE(i, a.plane, a.origin, a.speed, b.plane, b.origin, b.speed);
+      REQUIRE(compare(a, b) == expected);
+      REQUIRE(compare(b, a) == -expected);
+      REQUIRE(compare_exactly(a, b) == expected);
+    }
+  }
+  for (const int n : seen)
+    CHECK(n > 10'000); // ties as well as both orders
+  INFO("filter " << decisions.filter << ", wide " << decisions.wide << ", gmp " << decisions.gmp);
+  CHECK(compared > 250'000);
+  CHECK(decisions.filter > 50'000);
+  CHECK(decisions.wide > 50'000);
+  CHECK(decisions.gmp > 50'000);
+}
+
+TEST_CASE("oracle.arrival: the filter leaves to exact arithmetic what doubles get wrong",
+          "[hardcase]") {
+  // 1 + 2^-53 is no double: fl(plane - origin) = 1 for both, but a's distance is greater.
+  const arrival a(1, -0x1p-53, 1), b(1, 0x0p+0, 1);
+  REQUIRE(a.distance == b.distance);
+  CHECK(compare(a, b) == 1);
+  CHECK(compare(b, a) == -1);
+  // A product that rounds the wrong way round: 3 * (1/3 rounded) is below 1 and rounds to 1.
+  const arrival c(0x1.5555555555555p-2, 0, 1), d(1, 0, 3);
+  CHECK(compare(c, d) == -1);
+  // The largest and the least doubles: products of 2^2048 and 2^-2148.
+  const double least = 0x1p-1074, most = 0x1.fffffffffffffp+1023;
+  CHECK(compare({most, -most, most}, {least, 0, least}) == 1);   // 2 against 1
+  CHECK(compare({most, -most, least}, {least, 0, most}) == 1);   // 2^2099 against 2^-2098
+  CHECK(compare({least, 0, most}, {least, -least, most}) == -1); // 1 against 2, of 2^-2098
+  CHECK(compare({most, -most, most}, {most, -most, most}) == 0);
+  CHECK(compare({most, least, most}, {most, -least, most}) == -1); // differ 2098 bits below
+  CHECK(compare({most, least, most}, {most, 0, most}) == -1);
+  CHECK(compare({most, least, 1}, {most, least, 1}) == 0);
+}
+
+TEST_CASE("oracle.arrival: products that underflow and differences that overflow are not filtered",
+          "[hardcase]") {
+  // In units of 2^-1074, a's product is 2.5 + 2^-52 + 2^-105 and becomes 3 by two roundings up; b's
+  // is 2.5 + 1.25 * 2^-52, the greater, and becomes 2 by two roundings down.
+  const arrival a(0x1.4000000000001p+1, 0x1p-52 - 0x1p-105, 5 * 0x1p-1074);
+  const arrival b(.5, -0x1p-54, 0x1p-1074);
+  REQUIRE(a.distance * b.speed > b.distance * a.speed);
+  CHECK(compare(a, b) == -1);
+  CHECK(compare(b, a) == 1);
+  // Rounding down or to zero, 2^1025 becomes the largest double, not infinity: half of what it is.
+  const unsigned found = _mm_getcsr();
+  for (const unsigned mode : {0x0000u, 0x2000u, 0x4000u, 0x6000u}) {
+    const volatile double most = 0x1.fffffffffffffp+1023;
+    _mm_setcsr((found & ~0x6000u) | mode);
+    const int sign = compare(arrival(most, -most, 1), arrival(1.5, 0, 0x1p-1024));
+    _mm_setcsr(found);
+    CAPTURE(mode);
+    CHECK(sign == 1); // 2 against 1.5
+  }
+}
