@@ -25,28 +25,36 @@ struct tally {
 template <class F>
 std::string untruth(const F& f, const box& domain, const ray& r, const surface_hit& h) {
   const auto range = oracle::rational::range_in(r.origin(), r.direction(), domain.lo, domain.hi);
-  if (!range) return h.outcome == verdict::miss ? "" : "not a miss, though outside the domain";
+  if (!range)
+    return h.outcome == verdict::miss ? "" : "not a miss, though outside the domain";
   const auto& [enter, leave] = *range;
   const auto roots = judge::along(f, r);
   bool any = false, before = false, within = false;
   for (const auto& p : roots) {
     any = any || p.any_in(enter, leave);
-    if (h.outcome == verdict::miss) continue;
+    if (h.outcome == verdict::miss)
+      continue;
     const mpq_class near(h.t_near), far(h.t_far);
     before = before || p.any_before(enter, std::min(near, leave));
     within = within || p.any_in(std::max(near, enter), std::min(far, leave));
   }
-  if (h.outcome == verdict::miss) return any ? "a root, reported as a miss" : "";
-  if (h.outcome == verdict::hit && !within) return "no root in the hit's enclosure";
-  if (before) return "a root before the enclosure";
-  if (any && !within) return "the first root is after the enclosure";
+  if (h.outcome == verdict::miss)
+    return any ? "a root, reported as a miss" : "";
+  if (h.outcome == verdict::hit && !within)
+    return "no root in the hit's enclosure";
+  if (before)
+    return "a root before the enclosure";
+  if (any && !within)
+    return "the first root is after the enclosure";
   return "";
 }
 
-template <class S> tally examine(const S& scene, int level, const std::vector<ray>& rays, double widest) {
+template <class S>
+tally examine(const S& scene, int level, const std::vector<ray>& rays, double widest) {
   const auto octree = voxelize(scene.surface, scene.domain(), 7);
   REQUIRE(octree);
-  const auto traversal = surface_traversal<decltype(scene.surface)>::make(scene.surface, scene.domain(), *octree, level);
+  const auto traversal = surface_traversal<decltype(scene.surface)>::make(
+      scene.surface, scene.domain(), *octree, level);
   REQUIRE(traversal);
   tally t;
   for (const ray& r : rays) {
@@ -55,13 +63,16 @@ template <class S> tally examine(const S& scene, int level, const std::vector<ra
     t.hits += h.outcome == verdict::hit;
     t.undecided += h.outcome == verdict::undecided;
     std::string why = untruth(scene.surface, scene.domain(), r, h);
-    if (why.empty() && h.outcome == verdict::hit && !(h.t_far - h.t_near <= widest)) why = "enclosure is wide";
-    if (why.empty()) continue;
+    if (why.empty() && h.outcome == verdict::hit && !(h.t_far - h.t_near <= widest))
+      why = "enclosure is wide";
+    if (why.empty())
+      continue;
     if (t.wrong++ == 0) {
       char text[400];
-      std::snprintf(text, sizeof text, "%s: o=(%a,%a,%a) d=(%a,%a,%a) outcome %d t=[%a,%a]", why.c_str(),
-                    r.origin()[0], r.origin()[1], r.origin()[2], r.direction()[0], r.direction()[1],
-                    r.direction()[2], static_cast<int>(h.outcome), h.t_near, h.t_far);
+      std::snprintf(text, sizeof text, "%s: o=(%a,%a,%a) d=(%a,%a,%a) outcome %d t=[%a,%a]",
+                    why.c_str(), r.origin()[0], r.origin()[1], r.origin()[2], r.direction()[0],
+                    r.direction()[1], r.direction()[2], static_cast<int>(h.outcome), h.t_near,
+                    h.t_far);
       t.first_wrong = text;
     }
   }
@@ -71,12 +82,13 @@ template <class S> tally examine(const S& scene, int level, const std::vector<ra
 template <class S> std::vector<ray> pixels(const S& scene) {
   std::vector<ray> rays;
   for (int j = 3; j < 512; j += 11)
-    for (int i = 5; i < 512; i += 11) rays.push_back(scene.pixel(i, j));
+    for (int i = 5; i < 512; i += 11)
+      rays.push_back(scene.pixel(i, j));
   return rays;
 }
 
-/// Rays in planes of the octree, along axes, from points inside the domain, with far origins and with
-/// directions from tiny to huge.
+/// Rays in planes of the octree, along axes, from points inside the domain, with far origins and
+/// with directions from tiny to huge.
 template <class S> std::vector<ray> awkward(const S& scene, bool from_inside) {
   judge::random_source random(20260 + static_cast<unsigned>(scene.reach * 8));
   std::vector<ray> rays;
@@ -86,20 +98,26 @@ template <class S> std::vector<ray> awkward(const S& scene, bool from_inside) {
     for (int a = 0; a < 3; ++a) {
       o[a] = random.in(-far, far);
       d[a] = random.in(-scene.reach, scene.reach) - o[a];
-      if (random.below(4) == 0) o[a] = std::nearbyint(o[a] * 8) / 8;
-      if (random.below(5) == 0) d[a] = 0;
-      if (random.below(7) == 0) d[a] *= 0x1p-30;
+      if (random.below(4) == 0)
+        o[a] = std::nearbyint(o[a] * 8) / 8;
+      if (random.below(5) == 0)
+        d[a] = 0;
+      if (random.below(7) == 0)
+        d[a] *= 0x1p-30;
     }
     const double scale = std::ldexp(1.0, static_cast<int>(random.below(5)) * 60 - 120);
-    for (double& x : d) x *= scale;
-    if (const auto r = ray::make(o, d)) rays.push_back(*r);
+    for (double& x : d)
+      x *= scale;
+    if (const auto r = ray::make(o, d))
+      rays.push_back(*r);
   }
   return rays;
 }
 
 } // namespace
 
-TEST_CASE("octree.surface_traversal: the depth encloses the exact first root, camera rays", "[property][exact]") {
+TEST_CASE("octree.surface_traversal: the depth encloses the exact first root, camera rays",
+          "[property][exact]") {
   scenes::for_each([](const auto& scene) {
     for (const int level : {30, 50, 53}) {
       // the longest part of a ray within an octant is a few octants of the level, or the rounding
@@ -113,7 +131,8 @@ TEST_CASE("octree.surface_traversal: the depth encloses the exact first root, ca
   });
 }
 
-TEST_CASE("octree.surface_traversal: the depth encloses the exact first root, awkward rays", "[property][exact]") {
+TEST_CASE("octree.surface_traversal: the depth encloses the exact first root, awkward rays",
+          "[property][exact]") {
   scenes::for_each([](const auto& scene) {
     for (const int level : {12, 30, 50}) {
       const tally t = examine(scene, level, awkward(scene, false), 1e300);
@@ -126,7 +145,8 @@ TEST_CASE("octree.surface_traversal: the depth encloses the exact first root, aw
 }
 
 TEST_CASE("octree.surface_traversal: rays from inside the domain", "[property][exact]") {
-  // not for the spheres, whose polynomials have more zeros than the least of them has, seen from inside
+  // not for the spheres, whose polynomials have more zeros than the least of them has, seen from
+  // inside
   const auto check = [](const auto& scene) {
     const tally t = examine(scene, 30, awkward(scene, true), 1e300);
     INFO("reach " << scene.reach << ": " << t.first_wrong);
@@ -143,9 +163,11 @@ TEST_CASE("octree.surface_traversal: a tangent ray is never a miss", "[hardcase]
   const auto& scene = scenes::spheres;
   for (const int level : {9, 30, 50}) {
     const auto octree = voxelize(scene.surface, scene.domain(), 7);
-    const auto traversal = surface_traversal<spheres>::make(scene.surface, scene.domain(), *octree, level);
+    const auto traversal =
+        surface_traversal<spheres>::make(scene.surface, scene.domain(), *octree, level);
     for (const double direction : {1.0, -1.0, 0x1p-300, 3.0}) {
-      const ray r = *ray::make({direction > 0 ? -3.0 : 3.0, 1, 0}, {direction, 0, 0}); // touches at (0,1,0)
+      const ray r =
+          *ray::make({direction > 0 ? -3.0 : 3.0, 1, 0}, {direction, 0, 0}); // touches at (0,1,0)
       const surface_hit h = traversal->first_hit(r);
       INFO("level " << level << " direction " << direction);
       CHECK(h.outcome == verdict::undecided); // a double root changes no sign
@@ -154,10 +176,12 @@ TEST_CASE("octree.surface_traversal: a tangent ray is never a miss", "[hardcase]
   }
 }
 
-TEST_CASE("octree.surface_traversal: the caller's control words are restored, flushing is not used", "[unit]") {
+TEST_CASE("octree.surface_traversal: the caller's control words are restored, flushing is not used",
+          "[unit]") {
   const auto& scene = scenes::tanglecube;
   const auto octree = voxelize(scene.surface, scene.domain(), 5);
-  const auto traversal = surface_traversal<tanglecube>::make(scene.surface, scene.domain(), *octree, 30);
+  const auto traversal =
+      surface_traversal<tanglecube>::make(scene.surface, scene.domain(), *octree, 30);
   const surface_hit plain = traversal->first_hit(scene.pixel(256, 256));
   const unsigned before = _mm_getcsr();
   _mm_setcsr(before | 0x8040);
@@ -169,12 +193,13 @@ TEST_CASE("octree.surface_traversal: the caller's control words are restored, fl
   CHECK(flushed.t_far == plain.t_far);
 }
 
-TEMPLATE_TEST_CASE("octree.surface_traversal: runs with the baselines too", "[unit]", published, plain, gargantini) {
+TEMPLATE_TEST_CASE("octree.surface_traversal: runs with the baselines too", "[unit]", published,
+                   plain, gargantini) {
   const auto& scene = scenes::tanglecube;
   const auto octree = voxelize(scene.surface, scene.domain(), 7);
   const auto ours = surface_traversal<tanglecube>::make(scene.surface, scene.domain(), *octree, 20);
-  const auto theirs =
-      surface_traversal<tanglecube, TestType, rounding::nearest>::make(scene.surface, scene.domain(), *octree, 20);
+  const auto theirs = surface_traversal<tanglecube, TestType, rounding::nearest>::make(
+      scene.surface, scene.domain(), *octree, 20);
   int different = 0, rays = 0;
   for (const ray& r : pixels(scene)) {
     ++rays;

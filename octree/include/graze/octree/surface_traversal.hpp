@@ -145,7 +145,7 @@ private:
   /// Nor does it change between the last octant kept and the next one: where rounding hides the
   /// sign at the former's end, it shows a little further on.
   void look_between(double next) {
-    double step = step_;
+    double step = std::max(step_, std::nextafter(far_, infinity) - far_); // an octant may look flat
     for (; unresolved_ && far_ + step < next; step += step)
       unresolved_ = !look_at(far_ + step);
     unresolved_ = false;
