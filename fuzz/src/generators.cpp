@@ -56,8 +56,10 @@ void lead_exactly(random_stream& random, trial& t, const vec3& point) {
 }
 
 /// A point near the vertex along axis a: within the octants on either side of it.
-double beside(random_stream& random, const trial& t, double v) {
-  return v + random.sign() * std::ldexp(static_cast<double>(random.bits(20)), -20) * t.size();
+double beside(random_stream& random, const trial& t, int axis, double v) {
+  const double steps = std::ldexp(static_cast<double>(random.bits(20)), -20);
+  const double x = v + random.sign() * steps * t.size();
+  return std::clamp(x, t.root.lo[axis], t.root.hi(axis));
 }
 
 void finish(random_stream& random, trial& t, const site& s) {
@@ -80,7 +82,7 @@ void edge(random_stream& random, trial& t, int ulps) {
   const site s = pick_site(random, t);
   const unsigned along = random.below(3);
   vec3 point = s.vertex;
-  point[along] = beside(random, t, point[along]);
+  point[along] = beside(random, t, static_cast<int>(along), point[along]);
   lead_exactly(random, t, point);
   const unsigned across = (along + 1 + random.below(2)) % 3;
   double& component = random.coin() ? t.origin[across] : t.direction[across];
@@ -97,12 +99,15 @@ void face(random_stream& random, trial& t) {
   const unsigned normal = random.below(3);
   vec3 point = s.vertex;
   if (random.coin())
-    for (double& x : point)
-      x = random.coin() ? beside(random, t, x) : x;
+    for (unsigned a = 0; a < 3; ++a)
+      if (random.coin())
+        point[a] = beside(random, t, static_cast<int>(a), point[a]);
   point[normal] = s.vertex[normal];
   lead_exactly(random, t, point);
   t.origin[normal] = s.vertex[normal];
   t.direction[normal] = random.coin() ? 0.0 : -0.0;
+  if (const unsigned a = (normal + 1) % 3; t.direction[a] == 0 && t.direction[(a + 1) % 3] == 0)
+    t.direction[a] = random.sign();
   finish(random, t, s);
 }
 
@@ -161,7 +166,7 @@ void origin_on(random_stream& random, trial& t, unsigned fixed) {
   const unsigned first = random.below(3);
   for (unsigned i = 0; i < 3; ++i) {
     const unsigned a = (first + i) % 3;
-    t.origin[a] = i < fixed ? s.vertex[a] : beside(random, t, s.vertex[a]);
+    t.origin[a] = i < fixed ? s.vertex[a] : beside(random, t, static_cast<int>(a), s.vertex[a]);
   }
   t.direction = random_direction(random);
   if (random.one_in(3))
@@ -177,12 +182,15 @@ void origin_vertex(random_stream& random, trial& t) { origin_on(random, t, 3); }
 void origin_edge(random_stream& random, trial& t) { origin_on(random, t, 2); }
 void origin_face(random_stream& random, trial& t) { origin_on(random, t, 1); }
 
-/// The direction from a full-precision origin to the target, rounded, and a few ulps beside.
+/// The direction from a full-precision origin to the target, rounded, at times a few ulps beside.
+/// An origin made from the target would often give an exact difference; one with bits of its own,
+/// below the last bit of the target's, does not.
 void aim(random_stream& random, trial& t, const vec3& target, int highest_exponent) {
+  const bool own_bits = random.below(4) != 0;
+  const int lowest = highest_exponent - (random.coin() ? 4 : 40);
   for (unsigned a = 0; a < 3; ++a) {
-    t.origin[a] = target[a] + random_double(random, highest_exponent - (random.coin() ? 2 : 40),
-                                            highest_exponent) *
-                                  t.root.size;
+    const double away = random_double(random, lowest, highest_exponent) * t.root.size;
+    t.origin[a] = own_bits ? away : target[a] + away;
     t.direction[a] = target[a] - t.origin[a];
   }
   if (random.coin()) {
@@ -206,8 +214,8 @@ void aimed_vertex(random_stream& random, trial& t) {
 void aimed_edge(random_stream& random, trial& t) {
   const site s = pick_site(random, t);
   vec3 target = s.vertex;
-  double& along = target[random.below(3)];
-  along = beside(random, t, along);
+  const unsigned along = random.below(3);
+  target[along] = beside(random, t, static_cast<int>(along), target[along]);
   aim(random, t, target, 1);
   finish(random, t, s);
 }
@@ -268,7 +276,8 @@ void huge(random_stream& random, trial& t) {
 
 void far_origin(random_stream& random, trial& t) {
   const site s = pick_site(random, t);
-  const int exponent = random.one_in(8) ? random.between(60, 1000) : random.between(1, 60);
+  const int most = 1000 - std::max(0, std::ilogb(t.root.size));
+  const int exponent = random.one_in(8) ? random.between(60, most) : random.between(1, 60);
   if (random.one_in(3)) {
     const int bits = random.between(0, 3);
     const vec3 d = integer_direction(random, bits);
@@ -300,6 +309,8 @@ void mid_plane(random_stream& random, trial& t) {
   }
   t.origin[normal] = s.vertex[normal];
   t.direction[normal] = random.coin() ? 0.0 : -0.0;
+  if (const unsigned a = (normal + 1) % 3; t.direction[a] == 0 && t.direction[(a + 1) % 3] == 0)
+    t.direction[a] = random.sign();
   finish(random, t, s);
 }
 

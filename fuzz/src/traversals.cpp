@@ -4,6 +4,8 @@
 #include <graze/octree/published.hpp>
 #include <graze/octree/sound.hpp>
 #include <graze/rounding/nearest.hpp>
+#include <graze/rounding/split.hpp>
+#include <graze/rounding/switching.hpp>
 #include <graze/rounding/upward.hpp>
 
 namespace graze::fuzz {
@@ -12,18 +14,13 @@ namespace {
 
 using octree::convention;
 
-std::unique_ptr<traversal> sound() {
-  return std::make_unique<method_traversal<octree::sound<rounding::upward, convention::owned>>>(
-      "sound", promise::owned);
+template <class Backend, convention C, const char* Name> std::unique_ptr<traversal> sound() {
+  return std::make_unique<method_traversal<octree::sound<Backend, C>>>(
+      Name, C == convention::owned ? promise::owned : promise::touched);
 }
-std::unique_ptr<traversal> sound_closed() {
-  return std::make_unique<method_traversal<octree::sound<rounding::upward, convention::closed>>>(
-      "sound-closed", promise::touched);
-}
-std::unique_ptr<traversal> sound_nearest() {
-  return std::make_unique<method_traversal<octree::sound<rounding::nearest, convention::owned>>>(
-      "sound-nearest", promise::owned);
-}
+constexpr char upward[] = "sound", closed[] = "sound-closed", nearest[] = "sound-nearest",
+               split[] = "sound-split", switching[] = "sound-switching";
+
 // The baselines leave octants out on purpose that they only touch (the paper's strict overlap), so
 // a miss of theirs is a crossed octant.
 std::unique_ptr<traversal> published() {
@@ -40,9 +37,16 @@ std::unique_ptr<traversal> gargantini() {
 
 const std::vector<traversal_entry>& traversals() {
   static const std::vector<traversal_entry> all{
-      {"sound", "bounds that hold, half-open octants, front to back (backend upward)", sound},
-      {"sound-closed", "bounds that hold, closed octants (backend upward)", sound_closed},
-      {"sound-nearest", "as sound, on the backend that needs no rounding mode", sound_nearest},
+      {upward, "bounds that hold, half-open octants, front to back (backend upward)",
+       sound<rounding::upward, convention::owned, upward>},
+      {closed, "bounds that hold, closed octants (backend upward)",
+       sound<rounding::upward, convention::closed, closed>},
+      {nearest, "as sound, on the backend that needs no rounding mode",
+       sound<rounding::nearest, convention::owned, nearest>},
+      {split, "as sound, lower bounds on SSE2 and upper bounds on the x87",
+       sound<rounding::split, convention::owned, split>},
+      {switching, "as sound, with the mode set around every operation",
+       sound<rounding::switching, convention::owned, switching>},
       {"published", "the paper's ray voxelization to the letter", published},
       {"plain", "the sound formulas in round to nearest", plain},
       {"gargantini", "mid-plane intersections sorted in t (Gargantini and Atkinson 1993)",
