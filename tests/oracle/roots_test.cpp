@@ -182,6 +182,24 @@ TEST_CASE("oracle.roots: irrational roots to 200 bits", "[unit]") {
   CHECK(close->multiplicity == 1);
 }
 
+TEST_CASE("oracle.roots: a dyadic root is met exactly, bounds stay within a narrow range",
+          "[unit]") {
+  for (const double r : {5.0, 0.375, 0x1.8p-40, 1000.0}) {
+    const std::optional<root> found = first_root((t - r) * (sqr(t) - 3e6));
+    REQUIRE(found);
+    CHECK(found->lo == mpq_class(r));
+    CHECK(found->hi == mpq_class(r));
+  }
+  const std::optional<root> fine = first_root(sqr(t) - 2, 600);
+  REQUIRE(fine);
+  const std::optional<root> clipped = first_root(sqr(t) - 2, fine->lo, fine->hi, 50);
+  REQUIRE(clipped);
+  CHECK(clipped->lo >= fine->lo);
+  CHECK(clipped->hi <= fine->hi);
+  CHECK_FALSE(first_root(sqr(t) - 2, fine->hi, fine->hi + 100));
+  CHECK_FALSE(first_root(sqr(t) - 2, 0, fine->lo));
+}
+
 TEST_CASE("oracle.roots: the roots that are none, at 0, at the ends, and everywhere", "[unit]") {
   CHECK_FALSE(first_root(polynomial(3)));
   CHECK_FALSE(first_root(t + 1));
