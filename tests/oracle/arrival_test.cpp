@@ -24,16 +24,18 @@ public:
     small_ = integer(0, 2) == 0;
     const double scale = std::ldexp(1.0, integer(-gap, gap));
     const double other_scale = std::ldexp(1.0, integer(-gap, gap));
-    const double origin_a = number() * std::ldexp(1.0, integer(-gap, gap));
-    const double origin_b = number() * std::ldexp(1.0, integer(-gap, gap));
+    const double origin_a = scaled(integer(-gap, gap));
+    const double origin_b = scaled(integer(-gap, gap));
     const double speed_a = std::fabs(number()) * scale, speed_b = std::fabs(number()) * other_scale;
     const double t = small_ ? integer(1, 15) : std::fabs(number());
+    // braces: the draws come in this order with every compiler
     return {arrival(nudged(origin_a + t * speed_a), origin_a, speed_a),
             arrival(nudged(origin_b + t * speed_b), origin_b, speed_b)};
   }
 
 private:
   int integer(int from, int to) { return std::uniform_int_distribution<>(from, to)(random_); }
+  double scaled(int exponent) { return std::ldexp(number(), exponent); }
   double number() {
     if (small_ || integer(0, 2) == 0)
       return integer(0, 1) != 0 ? integer(1, 15) : -integer(1, 15);
@@ -58,7 +60,7 @@ TEST_CASE("oracle.arrival: equals the rational order, by every one of its three 
   decisions = {};
   std::array<int, 3> seen{};
   int compared = 0;
-  for (int i = 0; i < 400'000; ++i) {
+  for (int i = 0; i < 250'000; ++i) {
     const auto [a, b] = random.next(i % 4 == 0 ? 1000 : (i % 4 == 1 ? 60 : 4));
     if (!legal(a) || !legal(b))
       continue;
@@ -76,10 +78,10 @@ TEST_CASE("oracle.arrival: equals the rational order, by every one of its three 
   for (const int n : seen)
     CHECK(n > 10'000); // ties as well as both orders
   INFO("filter " << decisions.filter << ", wide " << decisions.wide << ", gmp " << decisions.gmp);
-  CHECK(compared > 250'000);
-  CHECK(decisions.filter > 50'000);
-  CHECK(decisions.wide > 50'000);
-  CHECK(decisions.gmp > 50'000);
+  CHECK(compared > 150'000);
+  CHECK(decisions.filter > 30'000);
+  CHECK(decisions.wide > 30'000);
+  CHECK(decisions.gmp > 30'000);
 }
 
 TEST_CASE("oracle.arrival: the filter leaves to exact arithmetic what doubles get wrong",

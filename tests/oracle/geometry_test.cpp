@@ -39,7 +39,7 @@ TEST_CASE("oracle.geometry: touches, crosses and owns equal the rational ones on
           "[property][hardcase]") {
   hard_scenes random(1);
   std::array<int, 8> seen{};
-  for (int i = 0; i < 150'000; ++i) {
+  for (int i = 0; i < 100'000; ++i) {
     const scene s = random.next();
     const box b = some_box(s, random);
     const auto far = static_cast<unsigned>(random.below(8));
@@ -56,7 +56,7 @@ TEST_CASE("oracle.geometry: touches, crosses and owns equal the rational ones on
   // The rays are hard: all combinations that can be (crossed or owned implies touched; a crossed
   // box has an interior point, which it owns) occur often.
   for (const unsigned possible : {0u, 1u, 5u, 7u})
-    CHECK(seen[possible] > 3'000);
+    CHECK(seen[possible] > 2'000);
   for (const unsigned impossible : {2u, 3u, 4u, 6u})
     CHECK(seen[impossible] == 0);
 }

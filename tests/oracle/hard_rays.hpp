@@ -43,7 +43,13 @@ private:
     const auto bits = chance(50) ? below(4) << 50 : random_() >> 12;
     return 1 + std::ldexp(static_cast<double>(bits), -52);
   }
-  double number(int exponent) { return sign() * std::ldexp(significand(), exponent); }
+  // One draw a statement here and below: the order of operands is up to the compiler, and the rays
+  // are to be the same for all.
+  double signed_as_drawn(double x) { return chance(50) ? x : -x; }
+  double number(int exponent) {
+    const double x = std::ldexp(significand(), exponent);
+    return signed_as_drawn(x);
+  }
   int exponent() {
     switch (below(8)) {
     case 0:
@@ -167,13 +173,14 @@ private:
     case 6: // nearly parallel to an axis, through a vertex or near it
       s.direction = d;
       s.origin = v;
-      s.direction[below(3)] = sign() * (chance(50) ? 0x1p-1074 : number(-540));
+      s.direction[below(3)] = chance(50) ? signed_as_drawn(0x1p-1074) : number(-540);
       s.origin[below(3)] -= width;
       break;
     case 7: { // a diagonal with ties: the same distance in units of the direction on two axes
       s.origin = v;
       for (unsigned a = 0; a < 3; ++a) {
-        s.direction[a] = sign() * std::ldexp(1.0, static_cast<int>(below(3)));
+        const auto power = static_cast<double>(1u << below(3));
+        s.direction[a] = signed_as_drawn(power);
         s.origin[a] -= s.direction[a] * width * static_cast<double>(below(4)) / 2;
       }
       break;

@@ -110,14 +110,16 @@ TEST_CASE("oracle.roots: finds the first of random known roots, with its multipl
     return std::uniform_int_distribution<>(from, to)(random);
   };
   int exact = 0, found_in_range = 0, even = 0;
-  for (int i = 0; i < 10'000; ++i) {
+  for (int i = 0; i < 5'000; ++i) {
     std::vector<std::pair<mpq_class, int>> roots;
     const int n = integer(1, 5);
     for (int k = 0; k < n; ++k) {
-      mpq_class r(integer(-30, 60), integer(1, 12));
+      mpq_class r{integer(-30, 60), integer(1, 12)};
       r.canonicalize();
-      if (k > 0 && integer(0, 4) == 0) // a close neighbour of another root
-        r = roots.back().first + power_of_two(-integer(20, 90)) * integer(-1, 1);
+      if (k > 0 && integer(0, 4) == 0) { // a close neighbour of another root
+        const mpq_class gap = power_of_two(-integer(20, 90));
+        r = roots.back().first + gap * integer(-1, 1);
+      }
       bool known = false;
       for (auto& [other, m] : roots)
         known |= other == r;
@@ -131,9 +133,9 @@ TEST_CASE("oracle.roots: finds the first of random known roots, with its multipl
     mpq_class from = 0, to = 1'000'000;
     const bool ranged = integer(0, 1) == 0;
     if (ranged) {
-      from = mpq_class(integer(-40, 40), integer(1, 7));
+      from = mpq_class{integer(-40, 40), integer(1, 7)};
       from.canonicalize();
-      to = from + mpq_class(integer(0, 40), 9);
+      to = from + mpq_class{integer(0, 40), 9};
       to.canonicalize();
       if (integer(0, 4) == 0)
         to = roots.front().first;
@@ -158,9 +160,9 @@ TEST_CASE("oracle.roots: finds the first of random known roots, with its multipl
     found_in_range += ranged ? 1 : 0;
     even += found->multiplicity % 2 == 0 ? 1 : 0;
   }
-  CHECK(exact > 500);
-  CHECK(found_in_range > 1'000);
-  CHECK(even > 500);
+  CHECK(exact > 200);
+  CHECK(found_in_range > 500);
+  CHECK(even > 200);
 }
 
 TEST_CASE("oracle.roots: irrational roots to 200 bits", "[unit]") {
@@ -180,6 +182,24 @@ TEST_CASE("oracle.roots: irrational roots to 200 bits", "[unit]") {
   REQUIRE(close);
   CHECK(close->hi * close->hi < 2 + gap);
   CHECK(close->multiplicity == 1);
+}
+
+TEST_CASE("oracle.roots: a dyadic root is met exactly, bounds stay within a narrow range",
+          "[unit]") {
+  for (const double r : {5.0, 0.375, 0x1.8p-40, 1000.0}) {
+    const std::optional<root> found = first_root((t - r) * (sqr(t) - 3e6));
+    REQUIRE(found);
+    CHECK(found->lo == mpq_class(r));
+    CHECK(found->hi == mpq_class(r));
+  }
+  const std::optional<root> fine = first_root(sqr(t) - 2, 600);
+  REQUIRE(fine);
+  const std::optional<root> clipped = first_root(sqr(t) - 2, fine->lo, fine->hi, 50);
+  REQUIRE(clipped);
+  CHECK(clipped->lo >= fine->lo);
+  CHECK(clipped->hi <= fine->hi);
+  CHECK_FALSE(first_root(sqr(t) - 2, fine->hi, fine->hi + 100));
+  CHECK_FALSE(first_root(sqr(t) - 2, 0, fine->lo));
 }
 
 TEST_CASE("oracle.roots: the roots that are none, at 0, at the ends, and everywhere", "[unit]") {
