@@ -48,6 +48,17 @@ private:
   bool small_ = false; // all numbers of the pair are small integers times powers of two
 };
 
+/// compare() of arrivals that are made, too, in the rounding mode given by MXCSR bits.
+[[gnu::noinline]] int compare_in_mode(unsigned mode, const arrival& a, const arrival& b) {
+  const unsigned found = _mm_getcsr();
+  _mm_setcsr((found & ~0x6000u) | mode);
+  const volatile double planes[2] = {a.plane, b.plane};
+  const int sign =
+      compare(arrival(planes[0], a.origin, a.speed), arrival(planes[1], b.origin, b.speed));
+  _mm_setcsr(found);
+  return sign;
+}
+
 bool legal(const arrival& a) {
   return std::isfinite(a.plane) && a.plane != a.origin && std::isfinite(a.speed) && a.speed > 0;
 }
@@ -115,13 +126,38 @@ TEST_CASE("oracle.arrival: products that underflow and differences that overflow
   CHECK(compare(a, b) == -1);
   CHECK(compare(b, a) == 1);
   // Rounding down or to zero, 2^1025 becomes the largest double, not infinity: half of what it is.
-  const unsigned found = _mm_getcsr();
+  const double most = 0x1.fffffffffffffp+1023;
   for (const unsigned mode : {0x0000u, 0x2000u, 0x4000u, 0x6000u}) {
-    const volatile double most = 0x1.fffffffffffffp+1023;
-    _mm_setcsr((found & ~0x6000u) | mode);
-    const int sign = compare(arrival(most, -most, 1), arrival(1.5, 0, 0x1p-1024));
-    _mm_setcsr(found);
     CAPTURE(mode);
-    CHECK(sign == 1); // 2 against 1.5
+    CHECK(compare_in_mode(mode, {most, -most, 1}, {1.5, 0, 0x1p-1024}) == 1); // 2 against 1.5
   }
+}
+
+TEST_CASE("oracle.arrival: errors of up to two ulps between the filter's products, in every mode",
+          "[hardcase]") {
+  // Significands just above 1, where an ulp weighs most; the parts below the last bit make the
+  // differences and, k being near 2^26, the products' too. (All errors of a directed mode have one
+  // sign, so that two ulps are the most, where the filter's proof allows for four.)
+  constexpr double ulp = 0x1p-52;
+  std::mt19937_64 random(2);
+  int computed_wrong = 0;
+  for (int i = 0; i < 40'000; ++i) {
+    const auto k = [&random] { return static_cast<double>((1u << 26) + random() % (1u << 26)); };
+    const auto part = [&random] {
+      static constexpr std::array<double, 6> parts{.01, .49, .51, .99, -.01, -.49};
+      return parts[random() % parts.size()] * ulp;
+    };
+    const double k1 = k(), k2 = k(), k3 = k();
+    const double k4 = k1 + k2 - k3 + static_cast<double>(static_cast<int>(random() % 9) - 4);
+    const double part_a = part(), part_b = part();
+    const arrival a(1 + k1 * ulp, part_a, 1 + k3 * ulp), b(1 + k4 * ulp, part_b, 1 + k2 * ulp);
+    const int expected = order_in_rationals(a, b);
+    computed_wrong += (a.distance * b.speed > b.distance * a.speed ? 1 : -1) != expected ? 1 : 0;
+    for (const unsigned mode : {0x0000u, 0x2000u, 0x4000u, 0x6000u})
+      if (compare_in_mode(mode, a, b) != expected) {
+        CAPTURE(i, mode, a.plane, a.origin, a.speed, b.plane, b.origin, b.speed);
+        REQUIRE(compare_in_mode(mode, a, b) == expected);
+      }
+  }
+  CHECK(computed_wrong > 1'000);
 }
