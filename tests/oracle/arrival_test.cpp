@@ -136,7 +136,7 @@ TEST_CASE("oracle.arrival: products that underflow and differences that overflow
 TEST_CASE("oracle.arrival: errors of up to two ulps between the filter's products, in every mode",
           "[hardcase]") {
   // Significands just above 1, where an ulp weighs most; the parts below the last bit make the
-  // differences and, k being near 2^26, the products' too. (All errors of a directed mode have one
+  // differences inexact, and k near 2^26 the products. (All errors of a directed mode have one
   // sign, so that two ulps are the most, where the filter's proof allows for four.)
   constexpr double ulp = 0x1p-52;
   std::mt19937_64 random(2);
