@@ -44,9 +44,7 @@ expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int 
   return surface_caster<Surface>::make(s.domain, octree_level, levels);
 }
 
-constexpr octree::box symmetric(double half) {
-  return {{-half, -half, -half}, {half, half, half}};
-}
+constexpr octree::box symmetric(double half) { return {{-half, -half, -half}, {half, half, half}}; }
 
 } // namespace
 

@@ -1,67 +1,23 @@
 /// graze-fuzz as its users meet it: output, exit codes, bad input.
+#include "../support/program.hpp"
 #include <array>
-#include <catch2/catch.hpp>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace {
 
-struct outcome {
-  int code;
-  std::string out, err;
-};
-
-/// A fresh folder, gone at the end.
-class scratch {
-public:
-  scratch() {
-    char name[] = "/tmp/graze-fuzz-XXXXXX";
-    path_ = mkdtemp(name);
-  }
-  ~scratch() { std::filesystem::remove_all(path_); }
-  scratch(const scratch&) = delete;
-  scratch& operator=(const scratch&) = delete;
-  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
-
-private:
-  std::string path_;
-};
-
-std::string content(const std::string& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using support::outcome, support::scratch, support::content;
 
 outcome call(const std::string& arguments, const std::string& before = "timeout 60 ") {
-  const scratch dir;
-  const std::string command =
-      before + "'" GRAZE_FUZZ "' " + arguments + " >" + (dir / "out") + " 2>" + (dir / "err");
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(dir / "out"), content(dir / "err")};
+  return support::call(GRAZE_FUZZ, arguments, before);
+}
+
+void refused(const std::string& arguments, const std::string& reason) {
+  support::refused(GRAZE_FUZZ, arguments, reason);
 }
 
 std::string file_with(const scratch& dir, const std::string& text) {
   std::ofstream(dir / "rays.jsonl") << text;
   return dir / "rays.jsonl";
-}
-
-/// One clear line on stderr, nothing on stdout, exit code 2.
-void refused(const std::string& arguments, const std::string& reason) {
-  const outcome o = call(arguments);
-  INFO(arguments << "\n" << o.out << o.err);
-  CHECK(o.code == 2);
-  CHECK(o.out.empty());
-  CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
-  CHECK(o.err.rfind("graze-fuzz: ", 0) == 0);
-  CHECK(o.err.find(reason) != std::string::npos);
 }
 
 const std::string good =

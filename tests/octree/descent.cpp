@@ -21,7 +21,9 @@ namespace {
 struct full_tree {
   using node = int;
   [[nodiscard]] node root() const { return 0; }
-  [[nodiscard]] std::uint8_t child_mask(node, const cube&, std::uint8_t wanted) const { return wanted; }
+  [[nodiscard]] std::uint8_t child_mask(node, const cube&, std::uint8_t wanted) const {
+    return wanted;
+  }
   [[nodiscard]] node child(node, unsigned) const { return 0; }
 };
 
@@ -46,21 +48,26 @@ std::vector<ray> lattice_rays() {
   const auto lattice = [&] { return static_cast<double>(random() % 17) / 8 - 0.5; };
   const auto nudge = [&](double x) {
     const auto k = static_cast<int>(random() % 5) - 2;
-    for (int i = 0; i < std::abs(k); ++i) x = std::nextafter(x, k < 0 ? -2.0 : 2.0);
+    for (int i = 0; i < std::abs(k); ++i)
+      x = std::nextafter(x, k < 0 ? -2.0 : 2.0);
     return x;
   };
   while (rays.size() < 3000) {
     vec3 o{lattice(), lattice(), lattice()}, target{lattice(), lattice(), lattice()}, d{};
-    for (int a = 0; a < 3; ++a) d[a] = target[a] - o[a];
+    for (int a = 0; a < 3; ++a)
+      d[a] = target[a] - o[a];
     if (rays.size() % 2 == 0)
-      for (int a = 0; a < 3; ++a) o[a] = nudge(o[a]), d[a] = d[a] == 0 ? 0 : nudge(d[a]);
-    if (const auto r = ray::make(o, d)) rays.push_back(*r);
+      for (int a = 0; a < 3; ++a)
+        o[a] = nudge(o[a]), d[a] = d[a] == 0 ? 0 : nudge(d[a]);
+    if (const auto r = ray::make(o, d))
+      rays.push_back(*r);
   }
   return rays;
 }
 
 struct verdicts {
-  std::uint64_t touched = 0, touched_missed = 0, owning_missed = 0, crossed_missed = 0, spurious = 0;
+  std::uint64_t touched = 0, touched_missed = 0, owning_missed = 0, crossed_missed = 0,
+                spurious = 0;
 };
 
 template <class M> verdicts judge_all() {
@@ -78,7 +85,8 @@ template <class M> verdicts judge_all() {
           const unsigned far = (x == 7 ? 1u : 0) | (y == 7 ? 2u : 0) | (z == 7 ? 4u : 0);
           sum.touched += touched;
           sum.spurious += seen && !touched;
-          if (seen || !touched) continue;
+          if (seen || !touched)
+            continue;
           ++sum.touched_missed;
           sum.crossed_missed += oracle::crosses(r.origin(), r.direction(), c.lo, hi);
           sum.owning_missed += oracle::owns(r.origin(), r.direction(), c.lo, hi, far);
@@ -89,8 +97,8 @@ template <class M> verdicts judge_all() {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("octree.descent: closed reports every touched octant", "[mpfr]", rounding::upward,
-                   rounding::nearest, rounding::split, rounding::switching) {
+TEMPLATE_TEST_CASE("octree.descent: closed reports every touched octant", "[mpfr]",
+                   rounding::upward, rounding::nearest, rounding::split, rounding::switching) {
   const verdicts v = judge_all<sound<TestType, convention::closed>>();
   CHECK(v.touched > 10'000);
   CHECK(v.touched_missed == 0);
@@ -103,8 +111,8 @@ TEMPLATE_TEST_CASE("octree.descent: owned reports every owning octant", "[mpfr]"
   CHECK(v.owning_missed == 0);
 }
 
-TEMPLATE_TEST_CASE("octree.descent: the baselines miss octants that the ray crosses", "[unit]", published,
-                   gargantini) {
+TEMPLATE_TEST_CASE("octree.descent: the baselines miss octants that the ray crosses", "[unit]",
+                   published, gargantini) {
   CHECK(judge_all<TestType>().crossed_missed > 0);
 }
 
@@ -122,7 +130,8 @@ TEST_CASE("octree.descent: a visitor that returns true stops it", "[unit]") {
   const rounding::upward::scope scope;
   const sound<rounding::upward, convention::owned> method(*ray::make({0.1, 0.2, 0.3}, {1, 1, 1}));
   int calls = 0;
-  CHECK(descend(method, unit, 5, full_tree{}, [&](const cube&, int, const auto&) { return ++calls == 2; }));
+  CHECK(descend(method, unit, 5, full_tree{},
+                [&](const cube&, int, const auto&) { return ++calls == 2; }));
   CHECK(calls == 2);
 }
 
@@ -130,6 +139,7 @@ TEST_CASE("octree.descent: counts the cells that it opens", "[unit]") {
   const rounding::upward::scope scope;
   const sound<rounding::upward, convention::owned> method(*ray::make({0.1, 0.1, 0.1}, {1, 0, 0}));
   std::uint64_t opened = 0;
-  descend(method, unit, 2, full_tree{}, [](const cube&, int, const auto&) { return false; }, &opened);
+  descend(
+      method, unit, 2, full_tree{}, [](const cube&, int, const auto&) { return false; }, &opened);
   CHECK(opened == 3); // the root and its two children along x
 }

@@ -45,7 +45,8 @@ const scenario scenarios[] = {
 
 } // namespace
 
-TEST_CASE("octree.published: misses each of the octants of NUMERICS, the sound form none", "[regression]") {
+TEST_CASE("octree.published: misses each of the octants of NUMERICS, the sound form none",
+          "[regression]") {
   for (const scenario& s : scenarios) {
     INFO(s.why);
     const vec3 hi{s.octant.hi(0), s.octant.hi(1), s.octant.hi(2)};
@@ -56,8 +57,10 @@ TEST_CASE("octree.published: misses each of the octants of NUMERICS, the sound f
   }
 }
 
-TEST_CASE("octree.ray_bounds: flushing to zero would miss the unit cube, the scope forbids it", "[regression]") {
-  const scenario s{"FTZ", {-0x1p100, -0x1p-441, -0x1p-441}, {1, 0x1p-540, 0x1p-540}, {{0, 0, 0}, 1}, true};
+TEST_CASE("octree.ray_bounds: flushing to zero would miss the unit cube, the scope forbids it",
+          "[regression]") {
+  const scenario s{
+      "FTZ", {-0x1p100, -0x1p-441, -0x1p-441}, {1, 0x1p-540, 0x1p-540}, {{0, 0, 0}, 1}, true};
   CHECK(oracle::touches(s.origin, s.direction, {0, 0, 0}, {1, 1, 1}));
   CHECK(passes<closed>(s));
   const unsigned saved = _mm_getcsr();

@@ -50,8 +50,10 @@ TEST_CASE("octree.cube: a path of children gives the octant of the index, exactl
     bits ^= bits << 13, bits ^= bits >> 7, bits ^= bits << 17;
     const unsigned child = bits & 7;
     cell = cell.child(child);
-    for (unsigned a = 0; a < 3; ++a) index[a] = 2 * index[a] + (child >> a & 1);
+    for (unsigned a = 0; a < 3; ++a)
+      index[a] = 2 * index[a] + (child >> a & 1);
     REQUIRE(cell == root->octant(index, level));
-    for (int a = 0; a < 3; ++a) REQUIRE(cell.hi(a) - cell.lo[a] == cell.size);
+    for (int a = 0; a < 3; ++a)
+      REQUIRE(cell.hi(a) - cell.lo[a] == cell.size);
   }
 }

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <graze/exhaustive/tiny_float.hpp>
-#include <graze/octree/ray_bounds.hpp>
 #include <graze/octree/plain.hpp>
+#include <graze/octree/ray_bounds.hpp>
 
 using namespace graze;
 using namespace graze::octree;
@@ -27,14 +27,17 @@ bool touches_exactly(const std::array<int, 3>& o, const std::array<int, 3>& d,
   fraction leave{1, 0}; // infinity
   for (int a = 0; a < 3; ++a) {
     if (d[a] == 0) {
-      if (o[a] < lo[a] || hi[a] < o[a]) return false;
+      if (o[a] < lo[a] || hi[a] < o[a])
+        return false;
       continue;
     }
     const int sign = d[a] < 0 ? -1 : 1;
     const fraction in{sign * long((d[a] > 0 ? lo[a] : hi[a]) - o[a]), std::abs(d[a])};
     const fraction out{sign * long((d[a] > 0 ? hi[a] : lo[a]) - o[a]), std::abs(d[a])};
-    if (less(enter, in)) enter = in;
-    if (less(out, leave)) leave = out;
+    if (less(enter, in))
+      enter = in;
+    if (less(out, leave))
+      leave = out;
   }
   return !less(leave, enter);
 }
@@ -45,8 +48,8 @@ struct tally {
   std::uint64_t pairs = 0, touched = 0, missed = 0, not_a_number = 0;
 };
 
-/// Every ray with components in `values`, against every box with corners in `values`, on axes 1 and 2;
-/// axis 0 runs over fewer values so that the whole stays at some 10^7 pairs.
+/// Every ray with components in `values`, against every box with corners in `values`, on axes 1 and
+/// 2; axis 0 runs over fewer values so that the whole stays at some 10^7 pairs.
 template <class B> tally try_all(const std::vector<tiny>& values, const std::vector<tiny>& few) {
   using bounds = ray_bounds<B>;
   tally result;
@@ -56,7 +59,8 @@ template <class B> tally try_all(const std::vector<tiny>& values, const std::vec
         for (const tiny dx : few)
           for (const tiny dy : values)
             for (const tiny dz : few) {
-              if (dx.value == 0 && dy.value == 0 && dz.value == 0) continue;
+              if (dx.value == 0 && dy.value == 0 && dz.value == 0)
+                continue;
               const triple o{ox, oy, oz}, d{dx, dy, dz};
               const auto axes = bounds::prepare(o, d);
               for (std::size_t i = 0; i + 1 < values.size(); i += 4)
@@ -69,12 +73,16 @@ template <class B> tally try_all(const std::vector<tiny>& values, const std::vec
                     };
                     ++result.pairs;
                     for (int a = 0; a < 3; ++a) {
-                      const auto w = bounds::template within<convention::closed>(axes[a], lo[a], hi[a]);
-                      if (w.enter != w.enter || w.leave != w.leave) ++result.not_a_number;
+                      const auto w =
+                          bounds::template within<convention::closed>(axes[a], lo[a], hi[a]);
+                      if (w.enter != w.enter || w.leave != w.leave)
+                        ++result.not_a_number;
                     }
-                    if (!touches_exactly(in(o), in(d), in(lo), in(hi))) continue;
+                    if (!touches_exactly(in(o), in(d), in(lo), in(hi)))
+                      continue;
                     ++result.touched;
-                    if (!bounds::touches_box(axes, lo, hi)) ++result.missed;
+                    if (!bounds::touches_box(axes, lo, hi))
+                      ++result.missed;
                   }
             }
   return result;

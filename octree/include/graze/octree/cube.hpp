@@ -33,7 +33,8 @@ struct cube {
 class root_cube {
 public:
   /// Refuses a box that is not finite or not of positive size, a level outside 1..53, and a box in
-  /// which an octant's corner would have to be rounded ([0,2^E]^3 is exact to 53, [-2^E,2^E]^3 too).
+  /// which an octant's corner would have to be rounded ([0,2^E]^3 is exact to 53, [-2^E,2^E]^3
+  /// too).
   [[nodiscard]] static expected<root_cube> make(const cube& box, int level);
 
   [[nodiscard]] const cube& box() const { return box_; }
@@ -58,7 +59,8 @@ namespace detail {
 /// The exponent of the lowest set bit of a finite x != 0.
 inline int lowest_bit_exponent(double x) {
   int exponent = 0;
-  const auto significand = static_cast<std::int64_t>(std::ldexp(std::frexp(std::fabs(x), &exponent), 53));
+  const auto significand =
+      static_cast<std::int64_t>(std::ldexp(std::frexp(std::fabs(x), &exponent), 53));
   return exponent - 53 + __builtin_ctzll(static_cast<unsigned long long>(significand));
 }
 } // namespace detail
@@ -66,7 +68,8 @@ inline int lowest_bit_exponent(double x) {
 inline expected<root_cube> root_cube::make(const cube& box, int level) {
   if (level < 1 || level > max_level)
     return unexpected{"level " + std::to_string(level) + " is outside 1..53"};
-  if (!std::isfinite(box.size) || !(box.size > 0)) return unexpected{"root size is not positive and finite"};
+  if (!std::isfinite(box.size) || !(box.size > 0))
+    return unexpected{"root size is not positive and finite"};
   // Every corner of every octant is lo + k * size * 2^-level, 0 <= k <= 2^level: a multiple of the
   // grid 2^g. It is a double if g >= -1074 and its magnitude is at most 2^53 * 2^g. The octants'
   // own mid-planes are not needed at the last level.
@@ -75,14 +78,17 @@ inline expected<root_cube> root_cube::make(const cube& box, int level) {
   for (int axis = 0; axis < 3; ++axis) {
     const double lo = box.lo[axis];
     const double hi = box.hi(axis);
-    if (!std::isfinite(lo) || !std::isfinite(hi)) return unexpected{"root is not finite"};
+    if (!std::isfinite(lo) || !std::isfinite(hi))
+      return unexpected{"root is not finite"};
     if (const double part = hi - lo; (lo - (hi - part)) + (box.size - part) != 0)
       return unexpected{"the root's far corner is not an exact double"};
-    if (lo != 0) grid = std::min(grid, detail::lowest_bit_exponent(lo));
+    if (lo != 0)
+      grid = std::min(grid, detail::lowest_bit_exponent(lo));
     largest = std::max({largest, std::fabs(lo), std::fabs(hi)});
   }
   if (grid < -1074 || largest > std::ldexp(1.0, std::min(grid + 53, 1023)))
-    return unexpected{"octants of this root are not exact doubles at level " + std::to_string(level)};
+    return unexpected{"octants of this root are not exact doubles at level " +
+                      std::to_string(level)};
   return root_cube(box, level);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Descent of a ray through an octree. A Method says which children the ray passes, in order; a Tree
-/// says which children there are; the visitor gets the cells that are left at the last level.
+/// Descent of a ray through an octree. A Method says which children the ray passes, in order; a
+/// Tree says which children there are; the visitor gets the cells that are left at the last level.
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -24,7 +24,8 @@ public:
   /// Bit `index` is set for each child present.
   [[nodiscard]] std::uint8_t mask() const {
     unsigned bits = 0;
-    for (unsigned i = 0; i < count_; ++i) bits |= 1u << items_[i].index;
+    for (unsigned i = 0; i < count_; ++i)
+      bits |= 1u << items_[i].index;
     return static_cast<std::uint8_t>(bits);
   }
 
@@ -52,10 +53,10 @@ concept Tree = requires(const T tree, typename T::node node, const cube cell) {
   { tree.child(node, unsigned{}) } -> std::convertible_to<typename T::node>;
 };
 
-/// Calls visit(cell, node, state) for each cell of `level` that the method passes and the tree holds,
-/// in the method's order; stops when visit returns true, and then returns true. `cells_opened`, where
-/// given, counts the cells whose children were tested. The root must be exact at `level` (root_cube).
-/// The caller holds a typename M::scope.
+/// Calls visit(cell, node, state) for each cell of `level` that the method passes and the tree
+/// holds, in the method's order; stops when visit returns true, and then returns true.
+/// `cells_opened`, where given, counts the cells whose children were tested. The root must be exact
+/// at `level` (root_cube). The caller holds a typename M::scope.
 template <Method M, Tree T, class Visit>
 bool descend(const M& method, const cube& root, int level, const T& tree, Visit&& visit,
              std::uint64_t* cells_opened = nullptr) {
@@ -68,7 +69,8 @@ bool descend(const M& method, const cube& root, int level, const T& tree, Visit&
   };
   std::array<frame, max_level> stack;
   typename M::state state{};
-  if (!method.enter(root, state)) return false;
+  if (!method.enter(root, state))
+    return false;
 
   const auto open = [&](frame& f, const cube& cell, const typename T::node& node,
                         const typename M::state& at) {
@@ -78,7 +80,8 @@ bool descend(const M& method, const cube& root, int level, const T& tree, Visit&
     f.next = 0;
     method.split(cell, at, f.children);
     f.present = tree.child_mask(node, cell, f.children.mask());
-    if (cells_opened != nullptr) ++*cells_opened;
+    if (cells_opened != nullptr)
+      ++*cells_opened;
   };
   open(stack[0], root, tree.root(), state);
   int depth = 0;
@@ -89,11 +92,13 @@ bool descend(const M& method, const cube& root, int level, const T& tree, Visit&
       continue;
     }
     const branch<typename M::state>& b = f.children[f.next++];
-    if ((f.present >> b.index & 1) == 0) continue;
+    if ((f.present >> b.index & 1) == 0)
+      continue;
     const cube cell = f.cell.child(b.index);
     const typename T::node node = tree.child(f.node, b.index);
     if (depth + 1 == level) {
-      if (visit(cell, node, b.state)) return true;
+      if (visit(cell, node, b.state))
+        return true;
     } else {
       open(stack[static_cast<unsigned>(++depth)], cell, node, b.state);
     }

@@ -24,7 +24,8 @@ public:
     at = {0, std::numeric_limits<double>::infinity()};
     for (int a = 0; a < 3; ++a) {
       if (direction_[a] == 0) {
-        if (origin_[a] < root.lo[a] || root.hi(a) < origin_[a]) return false;
+        if (origin_[a] < root.lo[a] || root.hi(a) < origin_[a])
+          return false;
         continue;
       }
       const double lo = (root.lo[a] - origin_[a]) / direction_[a];
@@ -45,12 +46,16 @@ public:
     unsigned index = 0;
     for (unsigned a = 0; a < 3; ++a) {
       const double mid = cell.mid(static_cast<int>(a));
-      if (origin_[a] + at.t_in * direction_[a] >= mid) index |= 1u << a;
-      if (direction_[a] == 0) continue;
+      if (origin_[a] + at.t_in * direction_[a] >= mid)
+        index |= 1u << a;
+      if (direction_[a] == 0)
+        continue;
       const double t = (mid - origin_[a]) / direction_[a];
-      if (!(at.t_in < t && t < at.t_out)) continue;
+      if (!(at.t_in < t && t < at.t_out))
+        continue;
       unsigned place = count++; // by insertion: gcc 12 warns of std::sort on three elements
-      for (; place > 0 && t < crossings[place - 1].t; --place) crossings[place] = crossings[place - 1];
+      for (; place > 0 && t < crossings[place - 1].t; --place)
+        crossings[place] = crossings[place - 1];
       crossings[place] = {t, a};
     }
     double from = at.t_in;

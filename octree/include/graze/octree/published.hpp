@@ -28,7 +28,8 @@ public:
   }
 
   [[nodiscard]] bool enter(const cube& root, state& at) const {
-    for (int a = 0; a < 3; ++a) at[a] = between(a, bound(a, root.lo[a]), bound(a, root.hi(a)));
+    for (int a = 0; a < 3; ++a)
+      at[a] = between(a, bound(a, root.lo[a]), bound(a, root.hi(a)));
     return overlap(at[0], at[1], at[2]);
   }
 
@@ -41,12 +42,14 @@ public:
       const interval middle = bound(a, mid);
       const interval hi = bound(a, cell.hi(a));
       half[a] = {between(a, lo, middle), between(a, middle, hi)};
-      if (origin_[a] >= mid) izyx |= 1u << a;
+      if (origin_[a] >= mid)
+        izyx |= 1u << a;
     }
     for (unsigned i = 0; i < 8; ++i) {
       const unsigned index = i ^ izyx;
       const state child{half[0][index & 1], half[1][index >> 1 & 1], half[2][index >> 2 & 1]};
-      if (overlap(child[0], child[1], child[2])) out.push(index, child);
+      if (overlap(child[0], child[1], child[2]))
+        out.push(index, child);
     }
   }
 

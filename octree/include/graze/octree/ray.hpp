@@ -13,8 +13,10 @@ public:
   /// Refuses NaN, infinity, and the direction (0,0,0), with the reason.
   [[nodiscard]] static expected<ray> make(const vec3& origin, const vec3& direction) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (!std::isfinite(origin[axis])) return unexpected{"ray origin is not finite"};
-      if (!std::isfinite(direction[axis])) return unexpected{"ray direction is not finite"};
+      if (!std::isfinite(origin[axis]))
+        return unexpected{"ray origin is not finite"};
+      if (!std::isfinite(direction[axis]))
+        return unexpected{"ray direction is not finite"};
     }
     if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0)
       return unexpected{"ray direction is zero"};

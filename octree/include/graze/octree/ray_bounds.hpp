@@ -1,10 +1,11 @@
 #pragma once
-/// The sound ray/octant test. One definition a line, over any Backend and its number: these names are
-/// the ones that the proofs use.
+/// The sound ray/octant test. One definition a line, over any Backend and its number: these names
+/// are the ones that the proofs use.
 ///
-/// Multiplying the ray's parameter t by |dx||dy||dz| (zero components counted as 1) turns "reaches the
-/// plane x = p" into Cx (p - ox), a product without a division: the paper's section 2.4. The paper
-/// rounds Cx once; here it is rounded both ways and each bound takes the side that keeps it a bound.
+/// Multiplying the ray's parameter t by |dx||dy||dz| (zero components counted as 1) turns "reaches
+/// the plane x = p" into Cx (p - ox), a product without a division: the paper's section 2.4. The
+/// paper rounds Cx once; here it is rounded both ways and each bound takes the side that keeps it a
+/// bound.
 #include <algorithm>
 #include <array>
 #include <graze/octree/cube.hpp>
@@ -39,11 +40,14 @@ template <rounding::Backend B> struct ray_bounds {
   };
 
   /// mag(x) = x == 0 ? 1 : |x|
-  static constexpr number mag(number x) { return x == number(0) ? number(1) : (x < number(0) ? -x : x); }
+  static constexpr number mag(number x) {
+    return x == number(0) ? number(1) : (x < number(0) ? -x : x);
+  }
 
   static axis prepare(number o, number d, number other1, number other2) {
     return {o, B::mul_down(mag(other1), mag(other2)), B::mul_up(mag(other1), mag(other2)),
-            d < number(0) ? heading::backward : (number(0) < d ? heading::forward : heading::across)};
+            d < number(0) ? heading::backward
+                          : (number(0) < d ? heading::forward : heading::across)};
   }
 
   /// lowb(p, q) <= C (p - q). The comparison is strict: with <=, Cup = inf would meet u = 0.
@@ -57,19 +61,26 @@ template <rounding::Backend B> struct ray_bounds {
     return B::mul_up(number(0) < u ? a.c_up : a.c_down, u);
   }
 
-  /// Lower bound of the scaled t at which the ray passes the plane p (of its entry into p's far side).
+  /// Lower bound of the scaled t at which the ray passes the plane p (of its entry into p's far
+  /// side).
   static number enter_at(const axis& a, number p) {
     switch (a.direction) {
-    case heading::forward: return lowb(a, p, a.origin);
-    case heading::backward: return lowb(a, a.origin, p);
-    default: return p <= a.origin ? -infinity : infinity;
+    case heading::forward:
+      return lowb(a, p, a.origin);
+    case heading::backward:
+      return lowb(a, a.origin, p);
+    default:
+      return p <= a.origin ? -infinity : infinity;
     }
   }
-  /// Upper bound of the scaled t at which the ray passes the plane p (of its exit from p's near side).
+  /// Upper bound of the scaled t at which the ray passes the plane p (of its exit from p's near
+  /// side).
   template <convention C> static number leave_at(const axis& a, number p) {
     switch (a.direction) {
-    case heading::forward: return uppb(a, p, a.origin);
-    case heading::backward: return uppb(a, a.origin, p);
+    case heading::forward:
+      return uppb(a, p, a.origin);
+    case heading::backward:
+      return uppb(a, a.origin, p);
     default:
       return (C == convention::closed ? a.origin <= p : a.origin < p) ? infinity : -infinity;
     }
@@ -104,7 +115,8 @@ template <rounding::Backend B> struct ray_bounds {
                   within<closed>(ray[2], lo[2], hi[2]));
   }
 
-  static std::array<axis, 3> prepare(const std::array<number, 3>& o, const std::array<number, 3>& d) {
+  static std::array<axis, 3> prepare(const std::array<number, 3>& o,
+                                     const std::array<number, 3>& d) {
     return {prepare(o[0], d[0], d[1], d[2]), prepare(o[1], d[1], d[2], d[0]),
             prepare(o[2], d[2], d[0], d[1])};
   }

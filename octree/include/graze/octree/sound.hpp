@@ -27,7 +27,8 @@ public:
   }
 
   void split(const cube& cell, const state& at, branches<state>& out) const {
-    // half[a][s]: the interval of axis a on the lower (s = 0) or upper (s = 1) side of its mid-plane
+    // half[a][s]: the interval of axis a on the lower (s = 0) or upper (s = 1) side of its
+    // mid-plane
     std::array<std::array<typename bounds::interval, 2>, 3> half;
     unsigned origin_side = 0;
     for (int a = 0; a < 3; ++a) {
@@ -35,16 +36,20 @@ public:
       const unsigned entry_side = axes_[a].direction == heading::backward ? 1 : 0;
       half[a][entry_side] = {at[a].enter, bounds::template leave_at<C>(axes_[a], mid)};
       half[a][1 - entry_side] = {bounds::enter_at(axes_[a], mid), at[a].leave};
-      if (axes_[a].origin >= mid) origin_side |= 1u << a;
+      if (axes_[a].origin >= mid)
+        origin_side |= 1u << a;
     }
-    // bounds::passes for all eight without a branch: each pair of sides in x and y serves two children
+    // bounds::passes for all eight without a branch: each pair of sides in x and y serves two
+    // children
     std::array<typename bounds::interval, 4> xy;
-    for (unsigned i = 0; i < 4; ++i) xy[i] = bounds::common(half[0][i & 1], half[1][i >> 1]);
+    for (unsigned i = 0; i < 4; ++i)
+      xy[i] = bounds::common(half[0][i & 1], half[1][i >> 1]);
     unsigned passed = 0;
     for (unsigned i = 0; i < 8; ++i)
       passed |= (bounds::passes(xy[i & 3], half[2][i >> 2]) ? 1u : 0u) << i;
     for (unsigned i = 0; i < 8; ++i) {
-      const unsigned index = i ^ origin_side; // front to back: the origin's side first, on each axis
+      const unsigned index =
+          i ^ origin_side; // front to back: the origin's side first, on each axis
       if ((passed >> index & 1) != 0)
         out.push(index, {half[0][index & 1], half[1][index >> 1 & 1], half[2][index >> 2 & 1]});
     }

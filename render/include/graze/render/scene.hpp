@@ -32,7 +32,7 @@ public:
 struct scene {
   std::string name;
   std::string formula;
-  double scale;        ///< S: the eye and the lights are at multiples of it
+  double scale;       ///< S: the eye and the lights are at multiples of it
   octree::box domain; ///< the surface is cut off at its faces
   material look;
   /// Makes the octree and the traversal; refuses levels outside of 1..53 with the reason.

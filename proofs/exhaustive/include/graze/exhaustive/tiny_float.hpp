@@ -9,9 +9,9 @@
 
 namespace graze::exhaustive {
 
-/// A float with `Precision` bits of significand and exponents Emin..Emax (of the leading bit), gradual
-/// underflow and infinities included. The value is held in a double, in which every sum, difference
-/// and product of two such values is exact (so Emax - Emin is at most about 20).
+/// A float with `Precision` bits of significand and exponents Emin..Emax (of the leading bit),
+/// gradual underflow and infinities included. The value is held in a double, in which every sum,
+/// difference and product of two such values is exact (so Emax - Emin is at most about 20).
 template <int Precision, int Emin, int Emax> struct tiny_float {
   double value = 0;
 
@@ -28,12 +28,15 @@ template <int Precision, int Emin, int Emax> struct tiny_float {
 
   /// Rounds a double that is exact in the real sense towards -inf (up = false) or +inf (up = true).
   static tiny_float round(double exact, bool up) {
-    if (std::isnan(exact) || std::isinf(exact) || exact == 0) return tiny_float(exact);
+    if (std::isnan(exact) || std::isinf(exact) || exact == 0)
+      return tiny_float(exact);
     const int exponent = std::max(std::ilogb(exact), Emin);
     const double ulp = std::ldexp(1.0, exponent - Precision + 1);
     const double rounded = (up ? std::ceil(exact / ulp) : std::floor(exact / ulp)) * ulp;
-    if (rounded > largest()) return tiny_float(up ? INFINITY : largest());
-    if (rounded < -largest()) return tiny_float(up ? -largest() : -INFINITY);
+    if (rounded > largest())
+      return tiny_float(up ? INFINITY : largest());
+    if (rounded < -largest())
+      return tiny_float(up ? -largest() : -INFINITY);
     return tiny_float(rounded == 0 ? std::copysign(0.0, exact) : rounded);
   }
 
@@ -46,8 +49,8 @@ template <int Precision, int Emin, int Emax> struct tiny_float {
   }
 };
 
-/// Directed operations on T, a tiny_float: a rounding::Backend as far as the ray/octant test uses it
-/// (division and square root have no place in the test and are left undefined).
+/// Directed operations on T, a tiny_float: a rounding::Backend as far as the ray/octant test uses
+/// it (division and square root have no place in the test and are left undefined).
 template <class T> struct tiny_backend {
   using number = T;
   static constexpr const char* name = "tiny";
