@@ -14,4 +14,7 @@ enum class decoration : std::uint8_t {
   com = 16, ///< dac, the box bounded, and every computed result bounded
 };
 
+/// "com", "dac", "def", "trv", "ill".
+const char* name_of(decoration d);
+
 } // namespace graze
