@@ -1,7 +1,9 @@
 #pragma once
 /// The judge of functions: any of MPFR's, or a composition of them, rounded to binary64 in a given
 /// direction.
+#include <cmath>
 #include <graze/bounds.hpp>
+#include <limits>
 #include <mpfr.h>
 
 namespace graze::oracle {
@@ -61,6 +63,21 @@ template <class Function, class... Doubles> double rounded_down(Function functio
 }
 template <class Function, class... Doubles> double rounded_up(Function function, Doubles... x) {
   return rounded(function, MPFR_RNDU, x...);
+}
+
+/// Both directions in one evaluation: {f(x...) rounded down, and up}.
+template <class Function, class... Doubles> bounds enclosed(Function function, Doubles... x) {
+  int inexact = 0;
+  const auto observed = [&](mpfr_ptr result, auto... operands) {
+    return inexact = function(result, operands...);
+  };
+  const double below = rounded(observed, MPFR_RNDD, x...);
+  // A value that MPFR gives exactly may have no double of its own: below 2^-1022 it is rounded again.
+  if (inexact == 0 && (std::fabs(below) >= 0x1p-1021 || below != below))
+    return {below, below};
+  if (std::fabs(below) < 0x1p-1021)
+    return {below, rounded(function, MPFR_RNDU, x...)};
+  return {below, std::nextafter(below, std::numeric_limits<double>::infinity())};
 }
 
 /// The tightest enclosure of f over x, for f defined and increasing on x (decreasing: exchange the
