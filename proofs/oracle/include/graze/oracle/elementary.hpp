@@ -2,17 +2,19 @@
 /// The judge of functions: any of MPFR's, or a composition of them, rounded to binary64 in a given
 /// direction.
 #include <cmath>
+#include <concepts>
 #include <graze/bounds.hpp>
 #include <limits>
 #include <mpfr.h>
 
 namespace graze::oracle {
 
-/// A number of MPFR's of the given precision in bits; 53 holds every double.
+/// A number of MPFR's: a NaN of so many bits (53 hold every double), or a double.
 class number {
 public:
-  explicit number(mpfr_prec_t precision = 53) { mpfr_init2(value_, precision); }
-  explicit number(double x) : number() { mpfr_set_d(value_, x, MPFR_RNDN); } // exact
+  number() : number(53) {}
+  explicit number(std::integral auto bits) { mpfr_init2(value_, bits); }
+  explicit number(std::same_as<double> auto x) : number() { mpfr_set_d(value_, x, MPFR_RNDN); }
   ~number() { mpfr_clear(value_); }
   number(const number&) = delete;
   number& operator=(const number&) = delete;
