@@ -1,3 +1,4 @@
+#include "elementary/exponential_pair.hpp"
 #include "elementary/monotone.hpp"
 #include <graze/functions/exponential.hpp>
 
@@ -20,7 +21,13 @@ template <class Function> bounds logarithm(const bounds& x, double pole) {
 
 } // namespace
 
-bounds exp::value(bounds x) { return exponential<point::exp>(x); }
+bounds exp::value(bounds x) {
+#if defined(__x86_64__)
+  if (bounds both; point::core_math::fused && elementary::exponential_pair(x, both))
+    return both;
+#endif
+  return exponential<point::exp>(x);
+}
 bounds exp2::value(bounds x) { return exponential<point::exp2>(x); }
 bounds exp10::value(bounds x) { return exponential<point::exp10>(x); }
 bounds expm1::value(bounds x) { return exponential<point::expm1>(x); }
