@@ -13,8 +13,11 @@
   X(exp10)                                                                                         \
   X(expm1)                                                                                         \
   X(log)                                                                                           \
-  X(log2) X(log10) X(log1p) X(sin) X(cos) X(tan) X(asin) X(acos) X(atan) X(sinh) X(cosh) X(tanh)   \
-      X(asinh) X(acosh) X(atanh) X(cbrt)
+  X(log2)                                                                                          \
+  X(log10)                                                                                         \
+  X(log1p)                                                                                         \
+  X(sin) X(cos) X(tan) X(asin) X(acos) X(atan) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh)  \
+      X(cbrt)
 #define GRAZE_BINARY_FUNCTIONS(X) X(atan2) X(hypot) X(pow)
 
 extern "C" {

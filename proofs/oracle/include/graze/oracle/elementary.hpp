@@ -74,7 +74,8 @@ template <class Function, class... Doubles> bounds enclosed(Function function, D
     return inexact = function(result, operands...);
   };
   const double below = rounded(observed, MPFR_RNDD, x...);
-  // A value that MPFR gives exactly may have no double of its own: below 2^-1022 it is rounded again.
+  // A value that MPFR gives exactly may have no double of its own: below 2^-1022 it is rounded
+  // again.
   if (inexact == 0 && (std::fabs(below) >= 0x1p-1021 || below != below))
     return {below, below};
   if (std::fabs(below) < 0x1p-1021)
