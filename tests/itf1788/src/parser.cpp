@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <graze/itf1788/syntax.hpp>
 #include <limits>
+#include <optional>
 
 namespace graze::itf1788 {
 
@@ -141,7 +142,7 @@ private:
     if (accept("<=")) {
       s.accurate = at_least_one();
       for (const value& v : s.accurate)
-        if (!std::holds_alternative<interval_value>(v))
+        if (!std::holds_alternative<bounds>(v) && !std::holds_alternative<decorated_bounds>(v))
           throw refusal{here_.line, "only intervals can stand after '<='"};
       if (!s.tightest.empty() && s.tightest.size() != s.accurate.size())
         throw refusal{here_.line, "not as many results after '<=' as after '='"};
@@ -155,9 +156,14 @@ private:
       s.signal = here_.written;
       advance();
     }
-    s.written = in_one_line({begin, static_cast<std::size_t>(here_.written.data() - begin)});
+    s.written = in_one_line(text_from(begin));
     require(";", "after the statement");
     return s;
+  }
+
+  /// What was read since the token that begins there.
+  [[nodiscard]] std::string_view text_from(const char* begin) const {
+    return {begin, static_cast<std::size_t>(last_.data() + last_.size() - begin)};
   }
 
   /// Without line breaks and indentation, for reports.
@@ -208,7 +214,7 @@ private:
     else if (const auto d = decoration_of(word))
       v = *d;
     else if (is_one_of(overlap_states, word))
-      v = overlap_state{std::string(word)};
+      v = overlap_name{std::string(word)};
     else if (const auto x = special_number(word))
       v = *x;
     else
@@ -284,7 +290,7 @@ private:
   value interval() {
     const int line = here_.line;
     const char* const begin = here_.written.data() - 1;
-    interval_value x{bounds::entire(), std::nullopt};
+    bounds x = bounds::entire();
     bool other = false, nai = false;
     const suffixed word = without_suffix(here_.written);
     const auto names = [&](std::string_view name) {
@@ -294,7 +300,7 @@ private:
       nai = names("nai");
       other = here_.written == word.stem ? false : word.other_format;
       if (!names("entire"))
-        x.range = bounds::empty();
+        x = bounds::empty();
       advance();
     } else {
       const value lower = number();
@@ -305,20 +311,20 @@ private:
         if (checking::is_empty(*lo, *hi))
           throw refusal{line, "an interval without members: [" + to_text(lower) + ", " +
                                   to_text(upper) + "] (write [empty])"};
-        x.range = {*lo, *hi};
+        x = {*lo, *hi};
       } else {
         other = true;
       }
     }
     require("]", "at the end of an interval");
+    value v = x;
     if (nai)
-      x = interval_value::nai();
+      v = decorated_bounds::nai();
     else if (accept("_"))
-      x.mark = required_decoration(x.range, line);
+      v = decorated_bounds{x, required_decoration(x, line)};
     if (other)
-      return other_format{
-          in_one_line({begin, static_cast<std::size_t>(last_.data() - begin) + last_.size()})};
-    return x;
+      v = other_format{in_one_line(text_from(begin))};
+    return v;
   }
 
   decoration required_decoration(const bounds& x, int line) {
@@ -326,7 +332,7 @@ private:
     if (!d || *d == decoration::ill)
       refuse("a decoration (com, dac, def, trv)");
     if ((x.is_empty() && *d != decoration::trv) || (!x.is_common() && *d == decoration::com))
-      throw refusal{line, to_text(interval_value{x, std::nullopt}) + " cannot be decorated " +
+      throw refusal{line, to_text(x) + " cannot be decorated " +
                               name_of(*d)};
     advance();
     return *d;

@@ -46,14 +46,19 @@ bool hold(const statement& s, const std::vector<value>& got) {
 } // namespace
 
 judgement judge(const statement& s) {
-  const std::optional<result> r = call(s.operation, s.operands);
-  if (!r)
+  const std::vector<result> results = call(s.operation, s.operands);
+  if (results.empty())
     return {verdict::unsupported, "", "",
             s.operation + "(" + joined(s.operands, ", ", kind_of) + ")"};
-  if (hold(s, r->values) && r->signal == s.signal)
-    return {};
-  return {verdict::failed, stated_results(s),
-          with_signal(joined(r->values, " ", to_text), r->signal), ""};
+  for (const result& r : results) {
+    if (hold(s, r.values) && r.signal == s.signal)
+      continue;
+    std::string got = with_signal(joined(r.values, " ", to_text), r.signal);
+    if (!r.form.empty())
+      got += " by " + r.form;
+    return {verdict::failed, stated_results(s), got, ""};
+  }
+  return {};
 }
 
 int file_report::count(verdict v) const {

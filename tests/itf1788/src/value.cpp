@@ -23,15 +23,11 @@ std::string text_of(double x) {
   return (std::signbit(x) ? "-0x" : "0x") + std::string(digits.data(), end.ptr);
 }
 
-std::string text_of(const interval_value& x) {
-  if (x.is_nai())
-    return "[nai]";
-  std::string text = x.range.is_empty()
-                         ? "[empty]"
-                         : fmt::format("[{}, {}]", text_of(x.range.lo), text_of(x.range.hi));
-  if (x.mark)
-    text += fmt::format("_{}", name_of(*x.mark));
-  return text;
+std::string text_of(const bounds& x) {
+  return x.is_empty() ? "[empty]" : fmt::format("[{}, {}]", text_of(x.lo), text_of(x.hi));
+}
+std::string text_of(const decorated_bounds& x) {
+  return x.is_nai() ? "[nai]" : fmt::format("{}_{}", text_of(x.part), name_of(x.label));
 }
 
 bool same_number(double stated, double got) {
@@ -40,21 +36,19 @@ bool same_number(double stated, double got) {
   return stated == got && std::signbit(stated) == std::signbit(got);
 }
 
-bool same_interval(const interval_value& stated, const interval_value& got) {
-  return stated.mark == got.mark && stated.range.within(got.range) &&
-         got.range.within(stated.range);
-}
+bool same_set(const bounds& x, const bounds& y) { return x.within(y) && y.within(x); }
 
 } // namespace
 
 std::string to_text(const value& v) {
-  return std::visit(overloaded{[](const interval_value& x) { return text_of(x); },
+  return std::visit(overloaded{[](const bounds& x) { return text_of(x); },
+                 [](const decorated_bounds& x) { return text_of(x); },
                                [](double x) { return text_of(x); },
                                [](std::int64_t n) { return std::to_string(n); },
                                [](bool b) { return std::string(b ? "true" : "false"); },
                                [](const std::string& s) { return fmt::format("\"{}\"", s); },
                                [](decoration d) { return std::string(name_of(d)); },
-                               [](const overlap_state& s) { return s.name; },
+                               [](const overlap_name& s) { return s.name; },
                                [](const std::vector<double>& numbers) {
                                  std::string text = "{";
                                  for (const double x : numbers)
@@ -66,11 +60,8 @@ std::string to_text(const value& v) {
 }
 
 std::string kind_of(const value& v) {
-  if (const auto* x = std::get_if<interval_value>(&v))
-    return x->mark ? "decorated interval" : "interval";
-  static constexpr std::array names{"interval",      "number", "integer",
-                                    "boolean",       "string", "decoration",
-                                    "overlap state", "array",  "number that is not binary64"};
+  static constexpr std::array names{"interval", "decorated interval", "number", "integer",
+    "boolean", "string", "decoration", "overlap state", "array", "number that is not binary64"};
   static_assert(names.size() == std::variant_size_v<value>);
   return names.at(v.index());
 }
@@ -82,9 +73,13 @@ bool same(const value& stated, const value& got) {
     return false;
   return std::visit(
       overloaded{
-          [&](const interval_value& x) { return same_interval(x, std::get<interval_value>(got)); },
-          [&](double x) { return same_number(x, std::get<double>(got)); },
-          [&](const overlap_state& s) { return s.name == std::get<overlap_state>(got).name; },
+          [&](const bounds& x) { return same_set(x, std::get<bounds>(got)); },
+                 [&](const decorated_bounds& x) {
+                   const auto& y = std::get<decorated_bounds>(got);
+                   return x.label == y.label && same_set(x.part, y.part);
+                 },
+                 [&](double x) { return same_number(x, std::get<double>(got)); },
+          [&](const overlap_name& s) { return s.name == std::get<overlap_name>(got).name; },
           [](const other_format&) { return false; },
           [](const std::vector<double>&) { return false; }, // no operation gives an array
           [&]<class T>(const T& x) { return x == std::get<T>(got); }},
@@ -92,12 +87,11 @@ bool same(const value& stated, const value& got) {
 }
 
 bool within(const value& got, const value& outer) {
-  const auto* x = std::get_if<interval_value>(&got);
-  const auto* y = std::get_if<interval_value>(&outer);
-  if (x == nullptr || y == nullptr || x->is_nai() || y->is_nai())
-    return false;
-  return x->mark.has_value() == y->mark.has_value() && x->range.within(y->range) &&
-         (!x->mark || *x->mark <= *y->mark);
+  if (const auto *x = std::get_if<bounds>(&got), *y = std::get_if<bounds>(&outer); x && y)
+    return x->within(*y);
+  const auto *x = std::get_if<decorated_bounds>(&got), *y = std::get_if<decorated_bounds>(&outer);
+  return x != nullptr && y != nullptr && !x->is_nai() && !y->is_nai() && x->label <= y->label &&
+         x->part.within(y->part);
 }
 
 } // namespace graze::itf1788

@@ -1,27 +1,15 @@
 #pragma once
 /// What a statement of an .itl file talks about: the operands and the results of an operation.
 #include <cstdint>
-#include <graze/bounds.hpp>
-#include <graze/decoration.hpp>
-#include <optional>
+#include <graze/decorated_bounds.hpp>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace graze::itf1788 {
 
-/// A bare interval, or a decorated one where it has a decoration. NaI is the empty set decorated
-/// `ill`.
-struct interval_value {
-  bounds range;
-  std::optional<decoration> mark;
-
-  static constexpr interval_value nai() { return {bounds::empty(), decoration::ill}; }
-  [[nodiscard]] constexpr bool is_nai() const { return mark == decoration::ill; }
-};
-
 /// One of the sixteen states of IEEE 1788-2015, Table 10.7, by its name there.
-struct overlap_state {
+struct overlap_name {
   std::string name;
 };
 
@@ -30,8 +18,9 @@ struct other_format {
   std::string written;
 };
 
-using value = std::variant<interval_value, double, std::int64_t, bool, std::string, decoration,
-                           overlap_state, std::vector<double>, other_format>;
+/// `bounds` are a bare interval.
+using value = std::variant<bounds, decorated_bounds, double, std::int64_t, bool, std::string,
+                           decoration, overlap_name, std::vector<double>, other_format>;
 
 /// In the notation of .itl files, numbers in hexadecimal.
 std::string to_text(const value& v);
