@@ -5,6 +5,7 @@
 #include <graze/itf1788/operations.hpp>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace graze::itf1788 {
 
@@ -43,12 +44,15 @@ inline std::optional<int> int_operand(std::span<const value> operands, std::size
   return static_cast<int>(*n);
 }
 
+/// The only result of an operation that has one form and signals nothing.
+inline std::vector<result> one(value v) { return {result{{std::move(v)}}}; }
+
 /// F of N intervals.
 template <class F, std::size_t N> std::vector<result> function(std::span<const value> operands) {
   if (const auto bare = operands_of<bounds, N>(operands))
-    return {{{std::apply([](auto... x) { return F::value(x...); }, *bare)}}};
+    return one(std::apply([](auto... x) { return F::value(x...); }, *bare));
   if (const auto decorated = operands_of<decorated_bounds, N>(operands))
-    return {{{std::apply([](auto... x) { return apply_decorated<F>(x...); }, *decorated)}}};
+    return one(std::apply([](auto... x) { return apply_decorated<F>(x...); }, *decorated));
   return {};
 }
 
@@ -59,18 +63,18 @@ std::vector<result> function_with_integer(std::span<const value> operands) {
   if (!n)
     return {};
   if (const auto bare = operands_of<bounds, N>(operands))
-    return {{{std::apply([n](auto... x) { return F::value(x..., *n); }, *bare)}}};
+    return one(std::apply([n](auto... x) { return F::value(x..., *n); }, *bare));
   if (const auto decorated = operands_of<decorated_bounds, N>(operands))
-    return {{{std::apply([n](auto... x) { return apply_decorated<F>(x..., *n); }, *decorated)}}};
+    return one(std::apply([n](auto... x) { return apply_decorated<F>(x..., *n); }, *decorated));
   return {};
 }
 
 /// A comparison or a number of N intervals: `f` takes bounds and decorated bounds.
 template <std::size_t N, auto f> std::vector<result> query(std::span<const value> operands) {
   if (const auto bare = operands_of<bounds, N>(operands))
-    return {{{std::apply(f, *bare)}}};
+    return one(std::apply(f, *bare));
   if (const auto decorated = operands_of<decorated_bounds, N>(operands))
-    return {{{std::apply(f, *decorated)}}};
+    return one(std::apply(f, *decorated));
   return {};
 }
 

@@ -13,9 +13,8 @@ namespace {
 template <rounding::Backend B, std::size_t N, auto f>
 void add_form(std::vector<result>& all, const std::array<bounds, N>& x) {
   const auto on_intervals = [](auto... b) { return f(to_interval<policies<B>>(b)...); };
-  all.push_back({{to_bounds(std::apply(on_intervals, x))},
-                 "",
-                 std::string("interval<") + B::name + ">"});
+  all.push_back(
+      {{to_bounds(std::apply(on_intervals, x))}, "", std::string("interval<") + B::name + ">"});
 }
 
 template <class F, std::size_t N, auto f>

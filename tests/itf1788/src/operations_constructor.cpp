@@ -8,7 +8,7 @@ namespace graze::itf1788 {
 namespace {
 
 template <class T> std::vector<result> signalled(const signalling<T>& s) {
-  return {{{s.value}, name_of(s.signal)}};
+  return {result{{s.value}, name_of(s.signal)}};
 }
 
 /// A number, which may be written as an integer.
@@ -33,7 +33,7 @@ template <auto construct> std::vector<result> from_text(std::span<const value> o
 
 std::vector<result> new_dec(std::span<const value> operands) {
   const auto x = operands_of<bounds, 1>(operands);
-  return x ? std::vector<result>{{{graze::new_dec((*x)[0])}}} : std::vector<result>{};
+  return x ? one(graze::new_dec((*x)[0])) : std::vector<result>{};
 }
 
 std::vector<result> set_dec(std::span<const value> operands) {
@@ -49,21 +49,21 @@ std::vector<result> interval_part(std::span<const value> operands) {
 
 std::vector<result> decoration_part(std::span<const value> operands) {
   const auto x = operands_of<decorated_bounds, 1>(operands);
-  return x ? std::vector<result>{{{graze::decoration_part((*x)[0])}}} : std::vector<result>{};
+  return x ? one(graze::decoration_part((*x)[0])) : std::vector<result>{};
 }
 
 using numbers = std::vector<double>;
 
 template <auto reduce, rounded to> std::vector<result> sum_of(std::span<const value> operands) {
   const auto x = operands_of<numbers, 1>(operands);
-  return x ? std::vector<result>{{{reduce((*x)[0], to)}}} : std::vector<result>{};
+  return x ? one(reduce((*x)[0], to)) : std::vector<result>{};
 }
 
 template <rounded to> std::vector<result> dot_of(std::span<const value> operands) {
   const auto x = operands_of<numbers, 2>(operands);
   if (!x || (*x)[0].size() != (*x)[1].size())
     return {};
-  return {{{dot((*x)[0], (*x)[1], to)}}};
+  return one(dot((*x)[0], (*x)[1], to));
 }
 
 } // namespace

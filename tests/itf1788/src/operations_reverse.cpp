@@ -9,16 +9,15 @@ std::vector<result> mul_rev_to_pair(std::span<const value> operands) {
   using F = functions::mul_rev_to_pair;
   if (const auto bare = operands_of<bounds, 2>(operands)) {
     const auto [first, second] = F::value((*bare)[0], (*bare)[1]);
-    return {{{first, second}}};
+    return {result{{first, second}}};
   }
   if (const auto decorated = operands_of<decorated_bounds, 2>(operands)) {
     const auto& [b, c] = *decorated;
     if (b.is_nai() || c.is_nai())
-      return {{{decorated_bounds::nai(), decorated_bounds::nai()}}};
+      return {result{{decorated_bounds::nai(), decorated_bounds::nai()}}};
     const auto [first, second] = F::value(b.part, c.part);
-    const decoration d =
-        std::min({b.label, c.label, local_decoration<F>(first, b.part, c.part)});
-    return {{{decorated_bounds{first, d}, decorated_bounds{second, decoration::trv}}}};
+    const decoration d = std::min({b.label, c.label, local_decoration<F>(first, b.part, c.part)});
+    return {result{{decorated_bounds{first, d}, decorated_bounds{second, decoration::trv}}}};
   }
   return {};
 }

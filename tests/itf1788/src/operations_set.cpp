@@ -12,7 +12,7 @@ namespace {
 #define GRAZE_OVERLOADS(name) [](const auto&... x) { return graze::name(x...); }
 
 std::vector<result> mid_rad(std::span<const value> operands) {
-  const auto both = [](const centre& c) -> std::vector<result> { return {{{c.mid, c.rad}}}; };
+  const auto both = [](const centre& c) -> std::vector<result> { return {result{{c.mid, c.rad}}}; };
   if (const auto bare = operands_of<bounds, 1>(operands))
     return both(graze::mid_rad((*bare)[0]));
   if (const auto decorated = operands_of<decorated_bounds, 1>(operands))
@@ -29,18 +29,18 @@ std::vector<result> is_member(std::span<const value> operands) {
     return {};
   const double m = n != nullptr ? static_cast<double>(*n) : *number;
   if (const auto* bare = std::get_if<bounds>(&operands[1]))
-    return {{{graze::is_member(m, *bare)}}};
+    return one(graze::is_member(m, *bare));
   if (const auto* decorated = std::get_if<decorated_bounds>(&operands[1]))
-    return {{{graze::is_member(m, *decorated)}}};
+    return one(graze::is_member(m, *decorated));
   return {};
 }
 
 /// A bare interval is never NaI.
 std::vector<result> is_nai(std::span<const value> operands) {
   if (operands_of<bounds, 1>(operands))
-    return {{{false}}};
+    return one(false);
   if (const auto decorated = operands_of<decorated_bounds, 1>(operands))
-    return {{{(*decorated)[0].is_nai()}}};
+    return one((*decorated)[0].is_nai());
   return {};
 }
 

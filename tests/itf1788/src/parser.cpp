@@ -332,8 +332,7 @@ private:
     if (!d || *d == decoration::ill)
       refuse("a decoration (com, dac, def, trv)");
     if ((x.is_empty() && *d != decoration::trv) || (!x.is_common() && *d == decoration::com))
-      throw refusal{line, to_text(x) + " cannot be decorated " +
-                              name_of(*d)};
+      throw refusal{line, to_text(x) + " cannot be decorated " + name_of(*d)};
     advance();
     return *d;
   }

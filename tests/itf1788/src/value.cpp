@@ -42,7 +42,7 @@ bool same_set(const bounds& x, const bounds& y) { return x.within(y) && y.within
 
 std::string to_text(const value& v) {
   return std::visit(overloaded{[](const bounds& x) { return text_of(x); },
-                 [](const decorated_bounds& x) { return text_of(x); },
+                               [](const decorated_bounds& x) { return text_of(x); },
                                [](double x) { return text_of(x); },
                                [](std::int64_t n) { return std::to_string(n); },
                                [](bool b) { return std::string(b ? "true" : "false"); },
@@ -60,8 +60,9 @@ std::string to_text(const value& v) {
 }
 
 std::string kind_of(const value& v) {
-  static constexpr std::array names{"interval", "decorated interval", "number", "integer",
-    "boolean", "string", "decoration", "overlap state", "array", "number that is not binary64"};
+  static constexpr std::array names{
+      "interval", "decorated interval", "number",        "integer", "boolean",
+      "string",   "decoration",         "overlap state", "array",   "number that is not binary64"};
   static_assert(names.size() == std::variant_size_v<value>);
   return names.at(v.index());
 }
@@ -72,17 +73,16 @@ bool same(const value& stated, const value& got) {
   if (stated.index() != got.index())
     return false;
   return std::visit(
-      overloaded{
-          [&](const bounds& x) { return same_set(x, std::get<bounds>(got)); },
+      overloaded{[&](const bounds& x) { return same_set(x, std::get<bounds>(got)); },
                  [&](const decorated_bounds& x) {
                    const auto& y = std::get<decorated_bounds>(got);
                    return x.label == y.label && same_set(x.part, y.part);
                  },
                  [&](double x) { return same_number(x, std::get<double>(got)); },
-          [&](const overlap_name& s) { return s.name == std::get<overlap_name>(got).name; },
-          [](const other_format&) { return false; },
-          [](const std::vector<double>&) { return false; }, // no operation gives an array
-          [&]<class T>(const T& x) { return x == std::get<T>(got); }},
+                 [&](const overlap_name& s) { return s.name == std::get<overlap_name>(got).name; },
+                 [](const other_format&) { return false; },
+                 [](const std::vector<double>&) { return false; }, // no operation gives an array
+                 [&]<class T>(const T& x) { return x == std::get<T>(got); }},
       stated);
 }
 
