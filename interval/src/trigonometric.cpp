@@ -79,8 +79,8 @@ template <class Function, int Shift> bounds wave(const bounds& x) {
     const auto place = static_cast<double>(a.turns + 1 + (greatest ? to_greatest : to_least));
     const double twice = place * pi_down, sum = x.lo + x.hi;
     const double doubt = (std::fabs(twice) + std::fabs(sum)) * 0x1p-48;
-    at_lo = sum - twice < doubt;
-    at_hi = sum - twice > -doubt;
+    at_lo = sum - twice <= doubt; // both are 0 where x = [-t, t]
+    at_hi = sum - twice >= -doubt;
   }
   if (greatest)
     return {std::min(at_lo ? Function::down(x.lo) : 1, at_hi ? Function::down(x.hi) : 1), 1};
@@ -169,5 +169,6 @@ decoration atan2::local(bounds y, bounds x) {
     return decoration::trv;
   return x.lo < 0 && y.lo < 0 && y.hi >= 0 ? decoration::def : decoration::dac;
 }
+bool atan2::continuous_around(bounds y, bounds x) { return !(x.lo < 0 && y.contains(0)); }
 
 } // namespace graze::functions

@@ -87,7 +87,8 @@ TEST_CASE("itf1788.parse: the other literals", "[unit]") {
   CHECK(literal<decoration>("dac") == decoration::dac);
   CHECK(literal<decoration>("ill") == decoration::ill);
   CHECK(literal<overlap_name>("containedBy").name == "containedBy");
-  CHECK(literal<std::string>(R"("[1, 2]_com // \"no\" comment")") == "[1, 2]_com // \"no\" comment");
+  CHECK(literal<std::string>(R"("[1, 2]_com // \"no\" comment")") ==
+        "[1, 2]_com // \"no\" comment");
   const auto numbers = literal<std::vector<double>>("{1.0, -2.5, NaN, infinity, 3}");
   REQUIRE(numbers.size() == 5);
   CHECK(numbers[1] == -2.5);
@@ -133,7 +134,8 @@ TEST_CASE("itf1788.parse: errors name the line and what was expected", "[unit]")
   CHECK(why_not("") == "t.itl:1: expected 'testcase', found the end of the file");
   CHECK(why_not("\n\nadd") == "t.itl:3: expected 'testcase', found 'add'");
   CHECK(why_not("testcase { }") == "t.itl:1: expected the name of the testcase, found '{'");
-  CHECK(why_not("testcase a ;") == "t.itl:1: expected '{' after the name of the testcase, found ';'");
+  CHECK(why_not("testcase a ;") ==
+        "t.itl:1: expected '{' after the name of the testcase, found ';'");
   CHECK(why_not("testcase a {\n}") == "t.itl:2: expected an operation, found '}'");
   CHECK(why_not("testcase a {\n f 1.0 = 2.0;\n") ==
         "t.itl:3: expected an operation, found the end of the file");
@@ -159,7 +161,8 @@ TEST_CASE("itf1788.parse: literals that are none", "[unit]") {
   CHECK(why_not_literal("[NaN, 1.0]").find("without members") != std::string::npos);
   CHECK(why_not_literal("[1.0]") ==
         "t.itl:2: expected ',' between the bounds of an interval, found ']'");
-  CHECK(why_not_literal("[1.0, 2.0") == "t.itl:2: expected ']' at the end of an interval, found '='");
+  CHECK(why_not_literal("[1.0, 2.0") ==
+        "t.itl:2: expected ']' at the end of an interval, found '='");
   CHECK(why_not_literal("[1.0, true]") == "t.itl:2: expected a number, found true");
   CHECK(why_not_literal("[1.0, 2.0]_ill") ==
         "t.itl:2: expected a decoration (com, dac, def, trv), found 'ill'");

@@ -321,17 +321,19 @@ private:
     if (nai)
       v = decorated_bounds::nai();
     else if (accept("_"))
-      v = decorated_bounds{x, required_decoration(x, line)};
+      v = decorated_bounds{x, required_decoration(x, other, line)};
     if (other)
       v = other_format{in_one_line(text_from(begin))};
     return v;
   }
 
-  decoration required_decoration(const bounds& x, int line) {
+  decoration required_decoration(const bounds& x, bool unknown, int line) {
     const auto d = here_.kind == token_kind::word ? decoration_of(here_.written) : std::nullopt;
     if (!d || *d == decoration::ill)
       refuse("a decoration (com, dac, def, trv)");
-    if ((x.is_empty() && *d != decoration::trv) || (!x.is_common() && *d == decoration::com))
+    if (!unknown && *d > (x.is_empty()    ? decoration::trv
+                          : x.is_common() ? decoration::com
+                                          : decoration::dac))
       throw refusal{line, to_text(x) + " cannot be decorated " + name_of(*d)};
     advance();
     return *d;
