@@ -7,6 +7,7 @@
 #include <graze/decorated_functions.hpp>
 #include <graze/numeric.hpp>
 #include <type_traits>
+#include <utility>
 
 namespace graze {
 
@@ -93,5 +94,19 @@ template <rounding::Backend B> decorated<B> operator-(const decorated<B>& x) {
   }
 GRAZE_FOR_EACH_FUNCTION(GRAZE_DECORATED_FUNCTION)
 #undef GRAZE_DECORATED_FUNCTION
+
+#if __has_include(<graze/functions/reverse.hpp>)
+/// The two pieces; the second one, a part of the line beyond 0, is trv.
+template <rounding::Backend B>
+std::pair<decorated<B>, decorated<B>> mul_rev_to_pair(const decorated<B>& b,
+                                                      const std::type_identity_t<decorated<B>>& c) {
+  using F = functions::mul_rev_to_pair;
+  if (b.is_nai() || c.is_nai())
+    return {decorated<B>::nai(), decorated<B>::nai()};
+  const auto [first, second] = F::value(b.part, c.part);
+  const decoration label = std::min({b.label, c.label, local_decoration<F>(first, b.part, c.part)});
+  return {decorated_bounds{first, label}, decorated_bounds{second, decoration::trv}};
+}
+#endif
 
 } // namespace graze
