@@ -16,8 +16,10 @@ Examples:
   graze-itf1788 --json ITF1788/itl | jq .total
 
 A statement passes if every result is the stated one: the same bounds (0 ulp), the same decoration,
-the same sign of a zero number, and the stated signal (none if none is stated). It is unsupported if
-Graze has no such operation for operands of these kinds. Folders are read with their subfolders.
+the same sign of a zero number, and the stated signal (none if none is stated). A result of a reverse
+operation that is tighter than stated passes if MPFR proves that what it leaves out holds no solution;
+it is printed, and fails with --strict. A statement is unsupported if Graze has no such operation for
+operands of these kinds. Folders are read with their subfolders.
 
 The last line is: total: N passed, N failed, N unsupported
 With --json one object is printed instead, and nothing else.
@@ -37,9 +39,10 @@ int main(int argc, char** argv) {
   app.name("graze-itf1788");
   app.footer(examples);
   std::vector<std::string> paths;
-  bool json = false, verbose = false;
+  bool json = false, verbose = false, only_stated = false;
   app.add_option("path", paths, "Folders or .itl files")->required();
   app.add_flag("--json", json, "Print one JSON object");
+  app.add_flag("--strict", only_stated, "Count results that are tighter than stated as failed");
   app.add_flag("--verbose", verbose, "Print passed and unsupported statements too");
   try {
     app.parse(argc, argv);
@@ -61,6 +64,8 @@ int main(int argc, char** argv) {
       reports.push_back(*std::move(report));
     }
   }
+  if (only_stated)
+    reports = strict(std::move(reports));
   const std::string text = json ? to_json(reports) + "\n" : to_text(reports, verbose);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     return bad_input("cannot write to the standard output");

@@ -20,8 +20,8 @@ nlohmann::ordered_json members(const totals& t) {
 } // namespace
 
 totals total_of(const file_report& report) {
-  return {report.count(verdict::passed), report.count(verdict::failed),
-          report.count(verdict::unsupported)};
+  return {report.count(verdict::passed) + report.count(verdict::tighter),
+          report.count(verdict::failed), report.count(verdict::unsupported)};
 }
 
 totals total_of(const std::vector<file_report>& reports) {
@@ -35,6 +35,14 @@ totals total_of(const std::vector<file_report>& reports) {
   return all;
 }
 
+std::vector<file_report> strict(std::vector<file_report> reports) {
+  for (file_report& report : reports)
+    for (judged& j : report.statements)
+      if (j.is.is == verdict::tighter)
+        j.is.is = verdict::failed;
+  return reports;
+}
+
 std::string to_text(const std::vector<file_report>& reports, bool verbose) {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -42,9 +50,10 @@ std::string to_text(const std::vector<file_report>& reports, bool verbose) {
     std::map<std::string, int> missing;
     for (const auto& [s, is] : report.statements) {
       const std::string where = fmt::format("{}:{}: ", report.path, s.line);
-      if (is.is == verdict::failed)
-        fmt::format_to(out, "{}failed: {}\n  expected {}\n  got      {}\n", where, s.written,
-                       is.expected, is.got);
+      if (is.is == verdict::failed || is.is == verdict::tighter)
+        fmt::format_to(out, "{}{}: {}\n  expected {}\n  got      {}\n", where,
+                       is.is == verdict::failed ? "failed" : "passed, tighter than stated",
+                       s.written, is.expected, is.got);
       else if (is.is == verdict::unsupported && verbose)
         fmt::format_to(out, "{}unsupported: {}: no {}\n", where, s.written, is.missing);
       else if (is.is == verdict::unsupported)
@@ -63,17 +72,18 @@ std::string to_text(const std::vector<file_report>& reports, bool verbose) {
 
 std::string to_json(const std::vector<file_report>& reports) {
   using json = nlohmann::ordered_json;
-  json files = json::array(), failures = json::array(), unsupported = json::array();
+  json files = json::array(), failures = json::array(), tighter = json::array(),
+       unsupported = json::array();
   for (const file_report& report : reports) {
     json file = {{"file", report.path}};
     file.update(members(total_of(report)));
     files.push_back(file);
     for (const auto& [s, is] : report.statements) {
       json one = {{"file", report.path}, {"line", s.line}, {"statement", s.written}};
-      if (is.is == verdict::failed) {
+      if (is.is == verdict::failed || is.is == verdict::tighter) {
         one["expected"] = is.expected;
         one["got"] = is.got;
-        failures.push_back(one);
+        (is.is == verdict::failed ? failures : tighter).push_back(one);
       } else if (is.is == verdict::unsupported) {
         one["missing"] = is.missing;
         unsupported.push_back(one);
@@ -82,6 +92,7 @@ std::string to_json(const std::vector<file_report>& reports) {
   }
   const json all = {{"files", files},
                     {"failures", failures},
+                    {"tighter", tighter},
                     {"unsupported", unsupported},
                     {"total", members(total_of(reports))}};
   // file names need not be UTF-8

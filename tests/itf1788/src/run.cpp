@@ -3,6 +3,7 @@
 #include <fstream>
 #include <graze/itf1788/operations.hpp>
 #include <graze/itf1788/run.hpp>
+#include <graze/itf1788/tighter.hpp>
 #include <iterator>
 
 namespace graze::itf1788 {
@@ -28,19 +29,24 @@ std::string stated_results(const statement& s) {
   return with_signal(text, s.signal);
 }
 
-bool hold(const statement& s, const std::vector<value>& got) {
+/// Passed, tighter or failed.
+verdict verdict_of(const statement& s, const std::vector<value>& got) {
   const std::size_t count = std::max(s.tightest.size(), s.accurate.size());
   if (got.size() != count)
-    return false;
+    return verdict::failed;
+  verdict worst = verdict::passed;
   for (std::size_t i = 0; i < count; ++i) {
     const bool as_stated = s.accurate.empty()
                                ? same(s.tightest[i], got[i])
                                : within(got[i], s.accurate[i]) &&
                                      (s.tightest.empty() || within(s.tightest[i], got[i]));
-    if (!as_stated)
-      return false;
+    if (as_stated)
+      continue;
+    if (!s.accurate.empty() || !proved_tighter(s, s.tightest[i], got[i]))
+      return verdict::failed;
+    worst = verdict::tighter;
   }
-  return true;
+  return worst;
 }
 
 } // namespace
@@ -50,15 +56,17 @@ judgement judge(const statement& s) {
   if (results.empty())
     return {verdict::unsupported, "", "",
             s.operation + "(" + joined(s.operands, ", ", kind_of) + ")"};
+  judgement worst;
   for (const result& r : results) {
-    if (hold(s, r.values) && r.signal == s.signal)
+    const verdict v = r.signal == s.signal ? verdict_of(s, r.values) : verdict::failed;
+    if (v <= worst.is)
       continue;
     std::string got = with_signal(joined(r.values, " ", to_text), r.signal);
     if (!r.form.empty())
       got += " by " + r.form;
-    return {verdict::failed, stated_results(s), got, ""};
+    worst = {v, stated_results(s), got, ""};
   }
-  return {};
+  return worst;
 }
 
 int file_report::count(verdict v) const {

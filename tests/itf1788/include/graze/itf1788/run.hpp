@@ -4,16 +4,22 @@
 
 namespace graze::itf1788 {
 
-enum class verdict { passed, failed, unsupported };
+enum class verdict {
+  passed,
+  tighter, ///< passed too: strictly within the stated result, and proved to be right (tighter.hpp)
+  failed,
+  unsupported,
+};
 
 struct judgement {
   verdict is = verdict::passed;
-  std::string expected, got; ///< of a failure
+  std::string expected, got; ///< of a failure or a tighter result
   std::string missing;       ///< of an unsupported statement: "pow(interval, integer)"
 };
 
-/// "= C": every result is the same as stated. "= C <= D": it holds C and lies within D, decorations
-/// between theirs. "<= D": it lies within D. The signal is the one stated, and none where none is.
+/// "= C": every result is the same as stated, or a proof shows that a tighter one is right. "= C <=
+/// D": it holds C and lies within D, decorations between theirs. "<= D": it lies within D. The
+/// signal is the one stated, and none where none is.
 judgement judge(const statement& s);
 
 struct judged {
