@@ -33,12 +33,13 @@ graze_install() {
   rm -f "$log"
 }
 
-# graze_build PRESET [CMAKE ARGUMENTS...]: configures and builds build/PRESET.
+# graze_build PRESET [TARGET...]: configures and builds build/PRESET, all of it by default. In CI
+# (where CI is set) warnings are errors.
 graze_build() {
   local preset=$1
   shift
   local log="build/$preset/configure.log"
   mkdir -p "build/$preset"
-  cmake --preset "$preset" "$@" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
-  cmake --build --preset "$preset"
+  cmake --preset "$preset" ${CI:+-DGRAZE_WERROR=ON} >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+  cmake --build --preset "$preset" ${1:+--target "$@"}
 }
