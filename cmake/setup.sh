@@ -1,16 +1,26 @@
 # Sourced by ./run and ./check: installs Debian's packages and builds a preset.
 
 graze_packages=(
-  g++ cmake ninja-build
+  gcc g++ cmake ninja-build
   libboost-dev libmpfr-dev libgmp-dev catch2 librapidcheck-dev libopenimageio-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev
   clang-19 libclang-rt-19-dev
 )
 
+# Cargo fetches the pinned sources of CORE-MATH and CRlibm. Debian's own cargo (1.65) is too old for
+# the registry's protocol (1.68); its package cargo-web is not.
+graze_cargo_package() {
+  local cargo
+  cargo=$(command -v cargo || true)
+  [[ -n $cargo || ! -x $HOME/.cargo/bin/cargo ]] || cargo=$HOME/.cargo/bin/cargo
+  [[ -n $cargo && $("$cargo" --version) =~ ^cargo\ 1\.([0-9]+) && ${BASH_REMATCH[1]} -ge 68 ]] ||
+    echo cargo-web
+}
+
 # Installs what dpkg does not have; does nothing, at once, when all is there.
 graze_install() {
   local missing=() package
-  for package in "$@" "${graze_packages[@]}"; do
+  for package in "${graze_packages[@]}" $(graze_cargo_package); do
     dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -q '^installed$' ||
       missing+=("$package")
   done
