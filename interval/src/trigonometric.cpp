@@ -73,13 +73,13 @@ template <class Function, int Shift> bounds wave(const bounds& x) {
     return {Function::down(x.hi), Function::up(x.lo)};
   }
   // One extreme: the other bound is at the end that is further from it. Twice its place, with an
-  // error below 2^-50 of itself, is compared to the sum of the ends.
+  // error below 2^-50 of itself (none at 0), is compared to the sum of the ends.
   bool at_lo = true, at_hi = true;
   if (a.whole && b.whole) {
     const auto place = static_cast<double>(a.turns + 1 + (greatest ? to_greatest : to_least));
     const double twice = place * pi_down, sum = x.lo + x.hi;
     const double doubt = (std::fabs(twice) + std::fabs(sum)) * 0x1p-48;
-    at_lo = sum - twice <= doubt; // both are 0 where x = [-t, t]
+    at_lo = sum - twice <= doubt;
     at_hi = sum - twice >= -doubt;
   }
   if (greatest)
