@@ -16,6 +16,8 @@ namespace point {
 
 namespace {
 
+directed pown_of_any(double x, int n);
+
 /// m * 2^(exponent - 128), 2^127 <= m < 2^128: number<2> in a register pair, for speed.
 struct two_limbs {
   uint128 m;
@@ -92,6 +94,44 @@ constexpr directed rounded_exactly(const two_limbs& a) {
           rounding::exact::round(false, a.m, exponent, false, direction::up)};
 }
 
+/// The significand's power without normalisation: s^N 2^(128 - 64 N), low by less than 2 (N - 1)
+/// units of 2^128 s'^(N - 1) each at most 1; at least 2^(128 - N).
+template <int N> constexpr uint128 unrolled_power(std::uint64_t s) {
+  static_assert(2 <= N && N <= 8);
+  if constexpr (N == 2) {
+    return uint128{s} * s;
+  } else if constexpr (N % 2 == 0) {
+    const uint128 r = unrolled_power<N / 2>(s);
+    const std::uint64_t h = high(r), l = low(r);
+    return uint128{h} * h + (uint128{h} * l >> 63);
+  } else {
+    const uint128 r = unrolled_power<N - 1>(s);
+    return uint128{high(r)} * s + high(uint128{low(r)} * s);
+  }
+}
+
+/// |x|^N where the double below it follows from 128 bits without further ado: x and the result
+/// normal, and the bits after the 53 that are kept not so close to 0 or 1 that the error of less
+/// than 2^12 ulps matters. `down` as bits; `up` is the next double.
+struct quick_power {
+  std::uint64_t down;
+  bool valid;
+};
+template <int N> inline quick_power quick(std::uint64_t magnitude_bits) {
+  const std::uint64_t s = magnitude_bits << 11 | rounding::exact::sign_bit;
+  const uint128 p = unrolled_power<N>(s);
+  const int zeros = std::countl_zero(high(p)); // at most N
+  const uint128 normal = p << zeros;
+  const std::int64_t exponent = static_cast<std::int64_t>(magnitude_bits >> 52);
+  // value in [2^(e - 1), 2^e) with e = N (exponent - 1022) - zeros; the field of a double is e + 1022
+  const std::int64_t field = N * exponent - N * 1022 - zeros + 1022;
+  // low by at most 2 (N - 1) 2^N ulps < 2^12; 0 may stand for an exact power
+  const bool decided = low(normal) - 1 < ~std::uint64_t{0} - 4096;
+  const bool usual = static_cast<std::uint64_t>(exponent - 1) < 2046 &&
+                     static_cast<std::uint64_t>(field - 1) < 2046;
+  return {(static_cast<std::uint64_t>(field - 1) << 52) + (high(normal) >> 11), decided && usual};
+}
+
 /// x^n for x > 0 finite.
 constexpr directed power_of_positive(double x, int n) {
   const magnitude a = rounding::exact::take_apart(x);
@@ -117,7 +157,41 @@ constexpr directed power_of_positive(double x, int n) {
 
 } // namespace
 
+namespace {
+template <int N> directed quickly_or_not(double x) {
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+  const quick_power r = quick<N>(bits & ~rounding::exact::sign_bit);
+  if (!r.valid)
+    return pown_of_any(x, N);
+  const std::uint64_t negative = N % 2 != 0 ? bits >> 63 : 0, sign = negative << 63;
+  return {std::bit_cast<double>((r.down + negative) | sign),
+          std::bit_cast<double>((r.down + (1 - negative)) | sign)};
+}
+} // namespace
+
 directed pown(double x, int n) {
+  switch (n) {
+  case 2:
+    return quickly_or_not<2>(x);
+  case 3:
+    return quickly_or_not<3>(x);
+  case 4:
+    return quickly_or_not<4>(x);
+  case 5:
+    return quickly_or_not<5>(x);
+  case 6:
+    return quickly_or_not<6>(x);
+  case 7:
+    return quickly_or_not<7>(x);
+  case 8:
+    return quickly_or_not<8>(x);
+  default:
+    return pown_of_any(x, n);
+  }
+}
+
+namespace {
+directed pown_of_any(double x, int n) {
   const bool odd = (n & 1) != 0;
   const double magnitude_of_x = std::fabs(x);
   if (0 < magnitude_of_x && magnitude_of_x < infinity && n != 0) {
@@ -131,8 +205,6 @@ directed pown(double x, int n) {
     return n > 0 ? directed{0, 0} : directed{not_a_number, not_a_number};
   return mirrored(x < 0 && odd, n > 0 ? directed{infinity, infinity} : directed{0, 0});
 }
-
-namespace {
 
 /// y = m^k against x, or x y against 1 for n < 0, with k = |n|. The root is m (1 + h)^(1/k), where
 /// 1 + h is the quotient of the two, hence m + m h/k but for a factor of 1 +- |h|.
@@ -209,11 +281,62 @@ template <class Function> bounds around_pole(const bounds& x, int n, Function f)
 }
 } // namespace
 
+namespace {
+
+/// Without branches on signs, which for mixed ones are not predicted.
+template <int N> bounds positive_power(const bounds& x) {
+  if constexpr (N % 2 != 0) {
+    const auto low_bits = std::bit_cast<std::uint64_t>(x.lo),
+               high_bits = std::bit_cast<std::uint64_t>(x.hi);
+    const point::quick_power low_end = point::quick<N>(low_bits & ~rounding::exact::sign_bit);
+    const point::quick_power high_end = point::quick<N>(high_bits & ~rounding::exact::sign_bit);
+    if (low_end.valid && high_end.valid) {
+      const std::uint64_t low_negative = low_bits >> 63, high_negative = high_bits >> 63;
+      return {std::bit_cast<double>((low_end.down + low_negative) | low_negative << 63),
+              std::bit_cast<double>((high_end.down + (1 - high_negative)) | high_negative << 63)};
+    }
+    return {point::pown_of_any(x.lo, N).down, point::pown_of_any(x.hi, N).up};
+  } else {
+    const double greatest = std::max(-x.lo, x.hi), least = std::max(x.lo, -x.hi);
+    const bool holds_zero = !(least > 0);
+    const point::quick_power far = point::quick<N>(std::bit_cast<std::uint64_t>(greatest));
+    const point::quick_power near =
+        point::quick<N>(std::bit_cast<std::uint64_t>(holds_zero ? greatest : least));
+    if (far.valid && near.valid)
+      return {std::bit_cast<double>(holds_zero ? 0 : near.down),
+              std::bit_cast<double>(far.down + 1)};
+    return {holds_zero ? 0 : point::pown_of_any(least, N).down,
+            point::pown_of_any(greatest, N).up};
+  }
+}
+
+} // namespace
+
 bounds pown::value(bounds x, int n) {
   if (x.is_empty())
     return x;
-  if (n == 0)
+  switch (n) {
+  case 0:
     return {1, 1};
+  case 1:
+    return x;
+  case 2:
+    return positive_power<2>(x);
+  case 3:
+    return positive_power<3>(x);
+  case 4:
+    return positive_power<4>(x);
+  case 5:
+    return positive_power<5>(x);
+  case 6:
+    return positive_power<6>(x);
+  case 7:
+    return positive_power<7>(x);
+  case 8:
+    return positive_power<8>(x);
+  default:
+    break;
+  }
   if ((n & 1) != 0)
     return n > 0 ? bounds{point::pown(x.lo, n).down, point::pown(x.hi, n).up}
                  : around_pole(x, n, point::pown);

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <graze/rounding/exact.hpp>
+#include <type_traits>
 
 namespace graze::wide {
 
@@ -72,6 +73,12 @@ template <int N> constexpr limbs<N> shifted_right(const limbs<N>& a, std::int64_
   }
   return r;
 }
+template <int N> constexpr limbs<N> doubled(const limbs<N>& a) {
+  limbs<N> r{};
+  for (int i = N - 1; i >= 0; --i)
+    r[i] = a[i] << 1 | (i > 0 ? a[i - 1] >> 63 : 0);
+  return r;
+}
 /// by < 64 N.
 template <int N> constexpr limbs<N> shifted_left(const limbs<N>& a, int by) {
   limbs<N> r{};
@@ -123,12 +130,28 @@ template <int N> constexpr limbs<N> high_product(const limbs<N>& a, std::uint64_
   return r;
 }
 
+/// (head * 2^64 + tail) / d for head < d, and the rest.
+struct digit_and_rest {
+  std::uint64_t digit, rest;
+};
+constexpr digit_and_rest divided(std::uint64_t head, std::uint64_t tail, std::uint64_t d) {
+#if defined(__x86_64__)
+  if (!std::is_constant_evaluated()) { // one instruction, where the compiler would call a function
+    digit_and_rest r{tail, head};
+    asm("divq %2" : "+a"(r.digit), "+d"(r.rest) : "r"(d) : "cc");
+    return r;
+  }
+#endif
+  const uint128 n = uint128{head} << 64 | tail;
+  return {low(n / d), low(n % d)};
+}
+
 /// a /= d, truncated.
 template <int N> constexpr void divide(limbs<N>& a, std::uint64_t d) {
   std::uint64_t rest = 0;
   for (int i = N - 1; i >= 0; --i) {
-    const uint128 t = uint128{rest} << 64 | a[i];
-    a[i] = low(t / d), rest = low(t % d);
+    const digit_and_rest r = divided(rest, a[i], d);
+    a[i] = r.digit, rest = r.rest;
   }
 }
 
@@ -139,13 +162,11 @@ constexpr limbs<M> quotient(std::array<std::uint64_t, M + N> n, const limbs<N>& 
   static_assert(N >= 2);
   limbs<M> q{};
   for (int j = M - 1; j >= 0; --j) {
-    const uint128 head = uint128{n[j + N]} << 64 | n[j + N - 1];
-    uint128 digit = ~std::uint64_t{0}, rest = 0;
+    uint128 digit = ~std::uint64_t{0};
+    uint128 rest = uint128{n[j + N - 1]} + d[N - 1]; // where the heads are equal
     if (n[j + N] < d[N - 1]) {
-      digit = head / d[N - 1];
-      rest = head - digit * d[N - 1];
-    } else {
-      rest = head - digit * d[N - 1];
+      const digit_and_rest r = divided(n[j + N], n[j + N - 1], d[N - 1]);
+      digit = r.digit, rest = r.rest;
     }
     while (high(rest) == 0 && digit * d[N - 2] > (rest << 64 | n[j + N - 2])) {
       --digit;

@@ -82,4 +82,20 @@ inline constexpr inverse_factorials<N, Terms> factorials = [] {
   return r;
 }();
 
+/// The factorials of terms First, First + 1, ... times that of First, in one limb: 1, then less.
+template <int First, int Terms>
+inline constexpr inverse_factorials<1, Terms> ratios = [] {
+  inverse_factorials<1, Terms> r{};
+  limbs<2> even{0, std::uint64_t{1} << 63}, odd = even;
+  for (int k = 0; k < Terms; ++k) {
+    const auto n = static_cast<std::uint64_t>(2 * (First + k));
+    if (k > 0) {
+      divide<2>(even, n * (n - 1));
+      divide<2>(odd, n * (n + 1));
+    }
+    r.even[k] = {even[1]}, r.odd[k] = {odd[1]};
+  }
+  return r;
+}();
+
 } // namespace graze::wide

@@ -5,11 +5,11 @@
 ///   C(u) = 1 -+ u/2! + u^2/4! -+ ...,  S(u) = 1 -+ u/3! + u^2/5! -+ ...,
 /// summed by Horner in fixed point with one bit before the point (an ulp is 2 e). A step truncates
 /// a coefficient and a product, less than (2 (N + 1) + 2) e, of which at most u <= 0.64 is passed
-/// on: for N <= 4 in all less than 12 e / 0.36 < 34 e. The series are cut where the next term is
-/// below e. r has a relative error below 32 e (0 where r = x; see reduced_by_half_pi()), u hence an
+/// on: for N <= 4 in all less than 12 e / 0.36 < 34 e; the tail adds 2 e. The series are cut where the
+/// next term is below e. r has a relative error below 32 e (0 where r = x; see reduced_by_half_pi()), u hence an
 /// error below 48 e, which C and S pass on times 0.56 and 0.19. So C, at least 0.69, has a relative
-/// error below (34 + 27 + 1) e / 0.69 < 90 e, S, at least 0.89, below 50 e, and r S, with its own
-/// truncation, below 32 e + 50 e + 20 e.
+/// error below (36 + 27 + 1) e / 0.69 < 93 e, S, at least 0.89, below 53 e, and r S, with its own
+/// truncation, below 32 e + 53 e + 20 e.
 #include "wide_constants.hpp"
 
 namespace graze::wide {
@@ -19,14 +19,35 @@ template <int N> struct even_and_odd {
   limbs<N> even, odd; ///< C(u), S(u)
 };
 
+/// C and S divided by the coefficient of their term `First`, from that term on, in one limb: with an
+/// error below (2 / 0.36 + 1) 2^-63, as each step truncates a coefficient and a product.
+template <int First, int Terms, bool Hyperbolic> constexpr even_and_odd<1> tail(std::uint64_t u) {
+  constexpr const auto& f = ratios<First, Terms>;
+  std::uint64_t even = f.even[Terms - 1][0], odd = f.odd[Terms - 1][0];
+  for (int k = Terms - 2; k >= 0; --k) {
+    const std::uint64_t even_step = high(uint128{even} * u), odd_step = high(uint128{odd} * u);
+    even = Hyperbolic ? f.even[k][0] + even_step : f.even[k][0] - even_step;
+    odd = Hyperbolic ? f.odd[k][0] + odd_step : f.odd[k][0] - odd_step;
+  }
+  return {{even}, {odd}};
+}
+
 /// u <= 0.64 in units of 2^(-64 N).
 template <int N, bool Hyperbolic> constexpr even_and_odd<N> series(const limbs<N>& u) {
   static_assert(N == 2 || N == 4);
   // 0.64^17 / 34! < 2^-138; 0.64^29 / 58! < 2^-278
   constexpr int terms = N == 2 ? 17 : 29;
+  // for N = 2, the error of one limb from term 10 on is below 7 2^-63 0.64^10 / 20! < 2 e
+  constexpr int head = N == 2 ? 10 : terms - 1;
   constexpr const auto& f = factorials<N, terms>;
-  limbs<N> even = f.even[terms - 1], odd = f.odd[terms - 1];
-  for (int k = terms - 2; k >= 0; --k) {
+  limbs<N> even = f.even[head], odd = f.odd[head];
+  if constexpr (N == 2) {
+    const even_and_odd<1> last = tail<head, terms - head, Hyperbolic>(u[N - 1]);
+    even = doubled<N>(high_product<N>(even, last.even[0]));
+    odd = doubled<N>(high_product<N>(odd, last.odd[0]));
+  }
+#pragma GCC unroll 10
+  for (int k = head - 1; k >= 0; --k) {
     limbs<N> next_even = f.even[k], next_odd = f.odd[k];
     if constexpr (Hyperbolic) {
       add<N>(next_even, high_product<N>(even, u));
