@@ -1,6 +1,5 @@
 #include "operation.hpp"
-#include <graze/functions/arithmetic.hpp>
-#include <graze/interval.hpp>
+#include <fmt/format.h>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/switching.hpp>
 #include <graze/rounding/upward.hpp>
@@ -10,24 +9,36 @@ namespace graze::itf1788 {
 namespace {
 
 /// The operator f on the interval type with the backend B, which has code of its own.
-template <rounding::Backend B, std::size_t N, auto f>
-void add_form(std::vector<result>& all, const std::array<bounds, N>& x) {
-  const auto on_intervals = [](auto... b) { return f(to_interval<policies<B>>(b)...); };
-  all.push_back(
-      {{to_bounds(std::apply(on_intervals, x))}, "", std::string("interval<") + B::name + ">"});
+template <rounding::Backend B, auto f>
+void add_operator(std::vector<result>& all, const auto& operands) {
+  std::apply(
+      [&](auto... x) {
+        const std::string form = fmt::format("an operator of interval<{}>", B::name);
+        add_form(all, to_value(f(to_interval<policies<B>>(x)...)), form.c_str());
+      },
+      operands);
 }
 
-template <class F, std::size_t N, auto f>
+template <class F, std::size_t N, auto f, auto c, auto symbol>
 std::vector<result> arithmetic(std::span<const value> operands) {
-  std::vector<result> all = function<F, N>(operands);
+  std::vector<result> all = function<F, N, f, c>(operands);
   if (const auto bare = operands_of<bounds, N>(operands)) {
-    add_form<rounding::nearest, N, f>(all, *bare);
-    add_form<rounding::upward, N, f>(all, *bare);
-    add_form<rounding::switching, N, f>(all, *bare);
-    add_form<rounding::split, N, f>(all, *bare);
+    add_operator<rounding::nearest, symbol>(all, *bare);
+    add_operator<rounding::upward, symbol>(all, *bare);
+    add_operator<rounding::switching, symbol>(all, *bare);
+    add_operator<rounding::split, symbol>(all, *bare);
+  } else if (const auto marked = operands_of<decorated_bounds, N>(operands)) {
+    std::apply(
+        [&](auto... x) {
+          add_form(all, to_value(symbol(decorated<>(x)...)), "an operator of decorated<>");
+        },
+        *marked);
   }
   return all;
 }
+
+#define GRAZE_ARITHMETIC_OPERATION(itl, name, N, symbol)                                           \
+  operation { itl, arithmetic<functions::name, N, GRAZE_OVERLOADS(name), graze_##name, symbol> }
 
 constexpr auto minus = [](const auto& x) { return -x; };
 constexpr auto plus = [](const auto& x, const auto& y) { return x + y; };
@@ -44,25 +55,25 @@ constexpr auto max_of = [](const auto& x, const auto& y) { return graze::max(x, 
 
 std::span<const operation> arithmetic_operations() {
   static constexpr std::array table{
-      operation{"pos", function<functions::pos, 1>},
-      operation{"neg", arithmetic<functions::neg, 1, minus>},
-      operation{"add", arithmetic<functions::add, 2, plus>},
-      operation{"sub", arithmetic<functions::sub, 2, difference>},
-      operation{"mul", arithmetic<functions::mul, 2, product>},
-      operation{"div", arithmetic<functions::div, 2, quotient>},
-      operation{"recip", function<functions::recip, 1>},
-      operation{"sqr", arithmetic<functions::sqr, 1, square_of>},
-      operation{"sqrt", arithmetic<functions::sqrt, 1, root_of>},
-      operation{"fma", function<functions::fma, 3>},
-      operation{"abs", arithmetic<functions::abs, 1, abs_of>},
-      operation{"min", arithmetic<functions::min, 2, min_of>},
-      operation{"max", arithmetic<functions::max, 2, max_of>},
-      operation{"sign", function<functions::sign, 1>},
-      operation{"ceil", function<functions::ceil, 1>},
-      operation{"floor", function<functions::floor, 1>},
-      operation{"trunc", function<functions::trunc, 1>},
-      operation{"roundTiesToEven", function<functions::round_ties_to_even, 1>},
-      operation{"roundTiesToAway", function<functions::round_ties_to_away, 1>},
+      GRAZE_OPERATION("pos", pos, 1),
+      GRAZE_ARITHMETIC_OPERATION("neg", neg, 1, minus),
+      GRAZE_ARITHMETIC_OPERATION("add", add, 2, plus),
+      GRAZE_ARITHMETIC_OPERATION("sub", sub, 2, difference),
+      GRAZE_ARITHMETIC_OPERATION("mul", mul, 2, product),
+      GRAZE_ARITHMETIC_OPERATION("div", div, 2, quotient),
+      GRAZE_OPERATION("recip", recip, 1),
+      GRAZE_ARITHMETIC_OPERATION("sqr", sqr, 1, square_of),
+      GRAZE_ARITHMETIC_OPERATION("sqrt", sqrt, 1, root_of),
+      GRAZE_OPERATION("fma", fma, 3),
+      GRAZE_ARITHMETIC_OPERATION("abs", abs, 1, abs_of),
+      GRAZE_ARITHMETIC_OPERATION("min", min, 2, min_of),
+      GRAZE_ARITHMETIC_OPERATION("max", max, 2, max_of),
+      GRAZE_OPERATION("sign", sign, 1),
+      GRAZE_OPERATION("ceil", ceil, 1),
+      GRAZE_OPERATION("floor", floor, 1),
+      GRAZE_OPERATION("trunc", trunc, 1),
+      GRAZE_OPERATION("roundTiesToEven", round_ties_to_even, 1),
+      GRAZE_OPERATION("roundTiesToAway", round_ties_to_away, 1),
   };
   return table;
 }

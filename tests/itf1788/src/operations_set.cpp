@@ -1,15 +1,26 @@
 #include "operation.hpp"
-#include <graze/boolean.hpp>
-#include <graze/functions/sets.hpp>
-#include <graze/numeric.hpp>
 #include <graze/overlap.hpp>
 
 namespace graze::itf1788 {
 
 namespace {
 
-// The library's functions are overloaded: a table needs one object for all overloads.
-#define GRAZE_OVERLOADS(name) [](const auto&... x) { return graze::name(x...); }
+/// A comparison or a number of N intervals.
+template <std::size_t N, auto f, auto c>
+std::vector<result> query(std::span<const value> operands) {
+  std::vector<result> all;
+  if (const auto bare = operands_of<bounds, N>(operands)) {
+    all = one(std::apply(f, *bare));
+    add_bare_forms<f, c>(all, *bare);
+  } else if (const auto marked = operands_of<decorated_bounds, N>(operands)) {
+    all = one(std::apply(f, *marked));
+    add_decorated_forms<f>(all, *marked);
+  }
+  return all;
+}
+
+#define GRAZE_QUERY(itl, name, N)                                                                  \
+  operation { itl, query<N, GRAZE_OVERLOADS(name), graze_##name> }
 
 std::vector<result> mid_rad(std::span<const value> operands) {
   const auto both = [](const centre& c) -> std::vector<result> { return {result{{c.mid, c.rad}}}; };
@@ -44,41 +55,49 @@ std::vector<result> is_nai(std::span<const value> operands) {
   return {};
 }
 
-constexpr auto overlap_of = [](const auto& x, const auto& y) {
-  return overlap_name{name_of(overlap(x, y))};
-};
+std::vector<result> overlap(std::span<const value> operands) {
+  if (const auto bare = operands_of<bounds, 2>(operands)) {
+    const auto& [x, y] = *bare;
+    std::vector<result> all = one(overlap_name{name_of(graze::overlap(x, y))});
+    add_form(all, overlap_name{graze_overlap(to_c(x), to_c(y))}, "graze.h");
+    return all;
+  }
+  if (const auto marked = operands_of<decorated_bounds, 2>(operands))
+    return one(overlap_name{name_of(graze::overlap((*marked)[0], (*marked)[1]))});
+  return {};
+}
 
 } // namespace
 
 std::span<const operation> set_operations() {
   static constexpr std::array table{
-      operation{"intersection", function<functions::intersection, 2>},
-      operation{"convexHull", function<functions::convex_hull, 2>},
-      operation{"cancelPlus", function<functions::cancel_plus, 2>},
-      operation{"cancelMinus", function<functions::cancel_minus, 2>},
-      operation{"inf", query<1, GRAZE_OVERLOADS(inf)>},
-      operation{"sup", query<1, GRAZE_OVERLOADS(sup)>},
-      operation{"mid", query<1, GRAZE_OVERLOADS(mid)>},
-      operation{"rad", query<1, GRAZE_OVERLOADS(rad)>},
+      GRAZE_OPERATION("intersection", intersection, 2),
+      GRAZE_OPERATION("convexHull", convex_hull, 2),
+      GRAZE_OPERATION("cancelPlus", cancel_plus, 2),
+      GRAZE_OPERATION("cancelMinus", cancel_minus, 2),
+      GRAZE_QUERY("inf", inf, 1),
+      GRAZE_QUERY("sup", sup, 1),
+      GRAZE_QUERY("mid", mid, 1),
+      GRAZE_QUERY("rad", rad, 1),
       operation{"midRad", mid_rad},
-      operation{"wid", query<1, GRAZE_OVERLOADS(wid)>},
-      operation{"mag", query<1, GRAZE_OVERLOADS(mag)>},
-      operation{"mig", query<1, GRAZE_OVERLOADS(mig)>},
-      operation{"isEmpty", query<1, GRAZE_OVERLOADS(is_empty)>},
-      operation{"isEntire", query<1, GRAZE_OVERLOADS(is_entire)>},
-      operation{"isSingleton", query<1, GRAZE_OVERLOADS(is_singleton)>},
-      operation{"isCommonInterval", query<1, GRAZE_OVERLOADS(is_common_interval)>},
+      GRAZE_QUERY("wid", wid, 1),
+      GRAZE_QUERY("mag", mag, 1),
+      GRAZE_QUERY("mig", mig, 1),
+      GRAZE_QUERY("isEmpty", is_empty, 1),
+      GRAZE_QUERY("isEntire", is_entire, 1),
+      GRAZE_QUERY("isSingleton", is_singleton, 1),
+      GRAZE_QUERY("isCommonInterval", is_common_interval, 1),
       operation{"isMember", is_member},
       operation{"isNaI", is_nai},
-      operation{"equal", query<2, GRAZE_OVERLOADS(equal)>},
-      operation{"subset", query<2, GRAZE_OVERLOADS(subset)>},
-      operation{"interior", query<2, GRAZE_OVERLOADS(interior)>},
-      operation{"disjoint", query<2, GRAZE_OVERLOADS(disjoint)>},
-      operation{"less", query<2, GRAZE_OVERLOADS(less)>},
-      operation{"strictLess", query<2, GRAZE_OVERLOADS(strict_less)>},
-      operation{"precedes", query<2, GRAZE_OVERLOADS(precedes)>},
-      operation{"strictPrecedes", query<2, GRAZE_OVERLOADS(strict_precedes)>},
-      operation{"overlap", query<2, overlap_of>},
+      GRAZE_QUERY("equal", equal, 2),
+      GRAZE_QUERY("subset", subset, 2),
+      GRAZE_QUERY("interior", interior, 2),
+      GRAZE_QUERY("disjoint", disjoint, 2),
+      GRAZE_QUERY("less", less, 2),
+      GRAZE_QUERY("strictLess", strict_less, 2),
+      GRAZE_QUERY("precedes", precedes, 2),
+      GRAZE_QUERY("strictPrecedes", strict_precedes, 2),
+      operation{"overlap", overlap},
   };
   return table;
 }
