@@ -89,6 +89,24 @@ TEST_CASE("graze-itf1788 --json: one object", "[unit]") {
   CHECK(object["unsupported"][0]["missing"] == "frobnicate(interval)");
 }
 
+TEST_CASE("graze-itf1788 --strict: tighter results are told, and fail", "[mpfr]") {
+  const scratch dir;
+  const std::string file = dir / "wide.itl";
+  std::ofstream(file) << "testcase t {\n cosRevBin [-1.0, -1.0] [2.5, 4.5] = [2.5, 4.5];\n}";
+  const outcome lenient = call(file);
+  CHECK(lenient.code == 0);
+  CHECK(holds(lenient.out, file + ":2: passed, tighter than stated: cosRevBin "));
+  CHECK(holds(lenient.out, "  got      [0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1]\n"));
+  CHECK(last_line(lenient.out) == "total: 1 passed, 0 failed, 0 unsupported");
+  const outcome strict = call("--strict " + file);
+  CHECK(strict.code == 1);
+  CHECK(holds(strict.out, file + ":2: failed: cosRevBin "));
+  CHECK(last_line(strict.out) == "total: 0 passed, 1 failed, 0 unsupported");
+  const auto object = nlohmann::json::parse(call("--json " + file).out);
+  CHECK(object["tighter"].size() == 1);
+  CHECK(object["total"]["passed"] == 1);
+}
+
 TEST_CASE("graze-itf1788: unsupported statements alone are exit code 1 too", "[unit]") {
   const scratch dir;
   std::filesystem::create_directories(dir / "deep/er");

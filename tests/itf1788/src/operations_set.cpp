@@ -39,8 +39,11 @@ std::vector<result> is_member(std::span<const value> operands) {
   if (n == nullptr && number == nullptr)
     return {};
   const double m = n != nullptr ? static_cast<double>(*n) : *number;
-  if (const auto* bare = std::get_if<bounds>(&operands[1]))
-    return one(graze::is_member(m, *bare));
+  if (const auto* bare = std::get_if<bounds>(&operands[1])) {
+    std::vector<result> all = one(graze::is_member(m, *bare));
+    add_form(all, graze_is_member(m, to_c(*bare)), "graze.h");
+    return all;
+  }
   if (const auto* decorated = std::get_if<decorated_bounds>(&operands[1]))
     return one(graze::is_member(m, *decorated));
   return {};
