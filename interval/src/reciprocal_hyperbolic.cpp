@@ -91,7 +91,7 @@ directed acoth(double x) {
                              guess, 0x1p-61, 20,
                              [magnitude](double m) {
                                const residual r = acoth_residual<2>(magnitude, m);
-                               return r.sign != 0 ? r : acoth_residual<4>(magnitude, m);
+                               return sufficient(r) ? r : acoth_residual<4>(magnitude, m);
                              }));
 }
 

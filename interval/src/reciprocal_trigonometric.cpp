@@ -101,7 +101,7 @@ directed acot(double x) {
     return {half_pi_down, above(half_pi_down)};
   return neighbours_of_root(std::atan2(1.0, x), 0x1p-62, above(pi_down), [x](double m) {
     const residual r = acot_residual<2>(x, m);
-    return r.sign != 0 ? r : acot_residual<4>(x, m);
+    return sufficient(r) ? r : acot_residual<4>(x, m);
   });
 }
 

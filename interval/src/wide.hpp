@@ -196,6 +196,30 @@ constexpr limbs<M> quotient(std::array<std::uint64_t, M + N> n, const limbs<N>& 
   return q;
 }
 
+/// The same for M = N = 2, where the rest of a digit's division is that of two limbs at once.
+constexpr limbs<2> quotient_of_two(const std::array<std::uint64_t, 4>& n, const limbs<2>& d) {
+  limbs<2> q{};
+  uint128 rest = uint128{n[3]} << 64 | n[2];
+  for (int j = 1; j >= 0; --j) {
+    if (high(rest) == d[1])
+      return quotient<2, 2>(n, d);
+    const digit_and_rest r = divided(high(rest), low(rest), d[1]);
+    // the digit for the head of d is at most two too large for d
+    uint128 part = uint128{r.rest} << 64 | n[j], product = uint128{r.digit} * d[0];
+    std::uint64_t digit = r.digit;
+    while (product > part) {
+      --digit;
+      product -= d[0];
+      part += uint128{d[1]} << 64;
+      if (high(part) < d[1]) // beyond 2^128, hence beyond the product
+        break;
+    }
+    rest = part - product;
+    q[j] = digit;
+  }
+  return q;
+}
+
 /// significand * 2^(exponent - 64 N), the top bit of the significand set: in
 /// [2^(exponent - 1), 2^exponent).
 template <int N> struct number {
@@ -251,7 +275,10 @@ template <int N> constexpr number<N> operator/(const number<N>& a, const number<
 #pragma GCC unroll 8
   for (int i = 0; i < N; ++i)
     n[N + i] = a.significand[i] >> 1 | (i + 1 < N ? a.significand[i + 1] << 63 : 0);
-  return normalised<N>(quotient<N, N>(n, b.significand), a.exponent - b.exponent + 1);
+  if constexpr (N == 2)
+    return normalised<N>(quotient_of_two(n, b.significand), a.exponent - b.exponent + 1);
+  else
+    return normalised<N>(quotient<N, N>(n, b.significand), a.exponent - b.exponent + 1);
 }
 
 /// Low by less than two ulps.

@@ -5,11 +5,11 @@
 ///   C(u) = 1 -+ u/2! + u^2/4! -+ ...,  S(u) = 1 -+ u/3! + u^2/5! -+ ...,
 /// summed by Horner in fixed point with one bit before the point (an ulp is 2 e). A step truncates
 /// a coefficient and a product, less than (2 (N + 1) + 2) e, of which at most u <= 0.64 is passed
-/// on: for N <= 4 in all less than 12 e / 0.36 < 34 e; the tail adds 2 e. The series are cut where the
-/// next term is below e. r has a relative error below 32 e (0 where r = x; see reduced_by_half_pi()), u hence an
-/// error below 48 e, which C and S pass on times 0.56 and 0.19. So C, at least 0.69, has a relative
-/// error below (36 + 27 + 1) e / 0.69 < 93 e, S, at least 0.89, below 53 e, and r S, with its own
-/// truncation, below 32 e + 53 e + 20 e.
+/// on: for N <= 4 in all less than 12 e / 0.36 < 34 e; the tail adds 2 e. The series are cut where
+/// the next term is below e. r has a relative error below 32 e (0 where r = x; see
+/// reduced_by_half_pi()), u hence an error below 48 e, which C and S pass on times 0.56 and 0.19.
+/// So C, at least 0.69, has a relative error below (36 + 27 + 1) e / 0.69 < 93 e, S, at least 0.89,
+/// below 53 e, and r S, with its own truncation, below 32 e + 53 e + 20 e.
 #include "wide_constants.hpp"
 
 namespace graze::wide {
@@ -19,8 +19,8 @@ template <int N> struct even_and_odd {
   limbs<N> even, odd; ///< C(u), S(u)
 };
 
-/// C and S divided by the coefficient of their term `First`, from that term on, in one limb: with an
-/// error below (2 / 0.36 + 1) 2^-63, as each step truncates a coefficient and a product.
+/// C and S divided by the coefficient of their term `First`, from that term on, in one limb: with
+/// an error below (2 / 0.36 + 1) 2^-63, as each step truncates a coefficient and a product.
 template <int First, int Terms, bool Hyperbolic> constexpr even_and_odd<1> tail(std::uint64_t u) {
   constexpr const auto& f = ratios<First, Terms>;
   std::uint64_t even = f.even[Terms - 1][0], odd = f.odd[Terms - 1][0];

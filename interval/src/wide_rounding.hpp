@@ -63,17 +63,27 @@ constexpr enclosure enclosed(const number<N>& value, std::uint64_t under, std::u
 /// below 2 * 2^8 and 20 units of 2^(-64 N), of at most an ulp each.
 inline constexpr std::uint64_t error_of_quotients = 1024;
 
+/// Tests compile the functions a second time with this macro, to see what two limbs hide: then only
+/// the results with four are used.
+#if defined(GRAZE_FOUR_LIMBS_ONLY)
+inline constexpr bool four_limbs_only = true;
+#else
+inline constexpr bool four_limbs_only = false;
+#endif
+constexpr bool sufficient(const enclosure& e) { return e.tightest && !four_limbs_only; }
+
 /// Bounds from f<2> and, where these do not suffice, f<4>: with an error of 2^-118 and a double
 /// every 2^-53, one argument in 2^64 is expected to need the second, and none its last 128 bits;
 /// should one, the bounds are still sound.
 template <class Function> constexpr directed rounded(Function function) {
   const enclosure first = function.template operator()<2>();
-  return first.tightest ? first.bounds : function.template operator()<4>().bounds;
+  return sufficient(first) ? first.bounds : function.template operator()<4>().bounds;
 }
 
 /// The doubles around a t for which 1/x < t < (1 + 2^-110)/x (`farther`), or (1 - 2^-110)/x < t <
 /// 1/x. x > 0. Where 1/x is no double it differs from every one by a factor of more than 1 +-
-/// 2^-107, as M d for two significands of 53 bits is then not a power of two but within 1 of none.
+/// 2^-107, as M d, for the two significands of 53 bits, is then an integer other than a power of
+/// two.
 constexpr directed near_reciprocal(double x, bool farther) {
   using rounding::exact::direction;
   const double down = rounding::exact::div(1, x, direction::down);
@@ -90,6 +100,10 @@ struct residual {
   double offset;
   bool exact; ///< m is the root
 };
+
+constexpr bool sufficient(const residual& r) {
+  return (r.sign != 0 || r.exact) && !four_limbs_only;
+}
 
 /// The neighbouring doubles around a root in (lower, upper), from a guess between. residual_at(m)
 /// is sure of its sign, so that any guess is good enough, and only a poor one costs more steps.
