@@ -1,16 +1,20 @@
 #pragma once
 /// The judge of functions: any of MPFR's, or a composition of them, rounded to binary64 in a given
 /// direction.
+#include <cmath>
+#include <concepts>
 #include <graze/bounds.hpp>
+#include <limits>
 #include <mpfr.h>
 
 namespace graze::oracle {
 
-/// A number of MPFR's of the given precision in bits; 53 holds every double.
+/// A number of MPFR's: a NaN of so many bits (53 hold every double), or a double.
 class number {
 public:
-  explicit number(mpfr_prec_t precision = 53) { mpfr_init2(value_, precision); }
-  explicit number(double x) : number() { mpfr_set_d(value_, x, MPFR_RNDN); } // exact
+  number() : number(53) {}
+  explicit number(std::integral auto bits) { mpfr_init2(value_, bits); }
+  explicit number(std::same_as<double> auto x) : number() { mpfr_set_d(value_, x, MPFR_RNDN); }
   ~number() { mpfr_clear(value_); }
   number(const number&) = delete;
   number& operator=(const number&) = delete;
@@ -61,6 +65,21 @@ template <class Function, class... Doubles> double rounded_down(Function functio
 }
 template <class Function, class... Doubles> double rounded_up(Function function, Doubles... x) {
   return rounded(function, MPFR_RNDU, x...);
+}
+
+/// Both directions in one evaluation: {f(x...) rounded down, and up}.
+template <class Function, class... Doubles> bounds enclosed(Function function, Doubles... x) {
+  int inexact = 0;
+  const auto observed = [&](mpfr_ptr result, auto... operands) {
+    return inexact = function(result, operands...);
+  };
+  const double below = rounded(observed, MPFR_RNDD, x...);
+  // A value that MPFR gives exactly may have no double of its own: below 2^-1022 it is rounded again.
+  if (inexact == 0 && (std::fabs(below) >= 0x1p-1021 || below != below))
+    return {below, below};
+  if (std::fabs(below) < 0x1p-1021)
+    return {below, rounded(function, MPFR_RNDU, x...)};
+  return {below, std::nextafter(below, std::numeric_limits<double>::infinity())};
 }
 
 /// The tightest enclosure of f over x, for f defined and increasing on x (decreasing: exchange the
