@@ -1,5 +1,4 @@
 #include "elementary/monotone.hpp"
-#include <algorithm>
 #include <graze/functions/trigonometric.hpp>
 
 namespace graze::functions {
@@ -67,24 +66,29 @@ template <class Function, int Shift> bounds wave(const bounds& x) {
   const bool greatest = to_greatest < crossed, least = to_least < crossed;
   if (greatest && least)
     return all;
+  bounds range = all;
   if (!greatest && !least) {
-    if (first == 0 || first == 3)
-      return {Function::down(x.lo), Function::up(x.hi)};
-    return {Function::down(x.hi), Function::up(x.lo)};
+    Function::both(x.lo, x.hi, range.lo, range.hi);
+    return range;
   }
   // One extreme: the other bound is at the end that is further from it. Twice its place, with an
-  // error below 2^-50 of itself, is compared to the sum of the ends.
+  // error below 2^-50 of itself (none at 0), is compared to the sum of the ends.
   bool at_lo = true, at_hi = true;
   if (a.whole && b.whole) {
     const auto place = static_cast<double>(a.turns + 1 + (greatest ? to_greatest : to_least));
     const double twice = place * pi_down, sum = x.lo + x.hi;
     const double doubt = (std::fabs(twice) + std::fabs(sum)) * 0x1p-48;
-    at_lo = sum - twice < doubt;
-    at_hi = sum - twice > -doubt;
+    at_lo = sum - twice <= doubt;
+    at_hi = sum - twice >= -doubt;
   }
-  if (greatest)
-    return {std::min(at_lo ? Function::down(x.lo) : 1, at_hi ? Function::down(x.hi) : 1), 1};
-  return {-1, std::max(at_lo ? Function::up(x.lo) : -1, at_hi ? Function::up(x.hi) : -1)};
+  const double further = at_lo ? x.lo : x.hi;
+  if (at_lo && at_hi)
+    Function::both(x.lo, x.hi, range.lo, range.hi);
+  else if (greatest)
+    range.lo = Function::down(further);
+  else
+    range.hi = Function::up(further);
+  return greatest ? bounds{range.lo, 1} : bounds{-1, range.hi};
 }
 
 /// Does x hold an odd multiple of pi/2? Within a scope. A bounded x.

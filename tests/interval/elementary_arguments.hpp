@@ -28,13 +28,16 @@ public:
     return lo +
            (hi - lo) * (static_cast<double>(operands_.below(std::uint64_t{1} << 53)) * 0x1p-53);
   }
-  double nudged(double x) { return hard_operands::step(x, static_cast<int>(below(7)) - 3); }
+  /// x in half of the cases, else up to 3 doubles beside it.
+  double nudged(double x) {
+    return coin() ? x : hard_operands::step(x, static_cast<int>(below(7)) - 3);
+  }
 
   /// Half of them from the active range, half hard.
   double point(active_range active) {
     if (coin())
       return uniform(active.lo, active.hi);
-    switch (below(9)) {
+    switch (below(10)) {
     case 0: // ends of the range, where results overflow, vanish, or the domain ends
       return nudged(coin() ? active.lo : active.hi);
     case 1: // any bit pattern, hence any size
@@ -52,6 +55,8 @@ public:
     case 7: // powers of two and of ten
       return nudged(coin() ? std::ldexp(1, static_cast<int>(below(2098)) - 1074)
                            : power_of_ten(static_cast<int>(below(23))));
+    case 8: // any integer of the range
+      return nudged(std::floor(uniform(active.lo, active.hi)));
     default:
       return near_multiple_of_half_pi();
     }

@@ -9,24 +9,22 @@ struct scaled {
   int e;
 };
 scaled magnitude(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x) & ~(std::uint64_t{1} << 63);
+  const auto bits = std::bit_cast<std::uint64_t>(x);
   const auto fraction = bits & 0xfffffffffffff;
-  const int exponent = static_cast<int>(bits >> 52);
-  return exponent == 0 ? scaled{fraction, -1074}
-                       : scaled{fraction | std::uint64_t{1} << 52, exponent - 1075};
+  const int exponent = static_cast<int>(bits >> 52 & 0x7ff);
+  const int normal = exponent != 0;
+  return {fraction | std::uint64_t(normal) << 52, exponent - 1074 - normal};
 }
 
-/// x = m 2^e with m < 2^53, if there is such an m.
-bool multiple_of(scaled x, int e, std::uint64_t& m) {
+/// x in units of 2^e, e >= x.e; `lost` has a bit set if that is no integer.
+std::uint64_t in_units(scaled x, int e, std::uint64_t& lost) {
   const int shift = e - x.e;
-  if (x.m == 0 || shift == 0) {
-    m = x.m;
-    return true;
+  if (shift > 52) {
+    lost |= x.m;
+    return 0;
   }
-  if (shift < 0 || shift > 52 || (x.m & ((std::uint64_t{1} << shift) - 1)) != 0)
-    return false;
-  m = x.m >> shift;
-  return true;
+  lost |= x.m & ((std::uint64_t{1} << shift) - 1);
+  return x.m >> shift;
 }
 
 /// Is r = sqrt(x^2 + y^2) exactly, all finite, r >= |x|, |y|? If it is, the least set bits of x, y
@@ -36,8 +34,10 @@ bool multiple_of(scaled x, int e, std::uint64_t& m) {
 /// all squares are integers below 2^106.
 bool exact_hypot(double x, double y, double r) {
   const scaled h = magnitude(r);
-  std::uint64_t a, b;
-  if (!multiple_of(magnitude(x), h.e, a) || !multiple_of(magnitude(y), h.e, b))
+  std::uint64_t lost = 0;
+  const std::uint64_t a = in_units(magnitude(x), h.e, lost), b = in_units(magnitude(y), h.e, lost);
+  // Modulo 2^64 first: one branch, hardly ever taken.
+  if ((lost | (a * a + b * b - h.m * h.m)) != 0)
     return false;
   __extension__ using wide = unsigned __int128;
   return wide{a} * a + wide{b} * b == wide{h.m} * h.m;
