@@ -71,7 +71,6 @@ GRAZE_C_BINARY(intersection)
 GRAZE_C_BINARY(convex_hull)
 GRAZE_C_BINARY(cancel_plus)
 GRAZE_C_BINARY(cancel_minus)
-#if __has_include(<graze/functions/exponential.hpp>)
 GRAZE_C_UNARY(exp)
 GRAZE_C_UNARY(exp2)
 GRAZE_C_UNARY(exp10)
@@ -80,8 +79,6 @@ GRAZE_C_UNARY(log)
 GRAZE_C_UNARY(log2)
 GRAZE_C_UNARY(log10)
 GRAZE_C_UNARY(logp1)
-#endif
-#if __has_include(<graze/functions/trigonometric.hpp>)
 GRAZE_C_UNARY(sin)
 GRAZE_C_UNARY(cos)
 GRAZE_C_UNARY(tan)
@@ -89,37 +86,25 @@ GRAZE_C_UNARY(asin)
 GRAZE_C_UNARY(acos)
 GRAZE_C_UNARY(atan)
 GRAZE_C_BINARY(atan2)
-#endif
-#if __has_include(<graze/functions/hyperbolic.hpp>)
 GRAZE_C_UNARY(sinh)
 GRAZE_C_UNARY(cosh)
 GRAZE_C_UNARY(tanh)
 GRAZE_C_UNARY(asinh)
 GRAZE_C_UNARY(acosh)
 GRAZE_C_UNARY(atanh)
-#endif
-#if __has_include(<graze/functions/power.hpp>)
 GRAZE_C_UNARY(cbrt)
 GRAZE_C_BINARY(hypot)
 GRAZE_C_BINARY(pow)
-#endif
-#if __has_include(<graze/functions/integer_power.hpp>)
 GRAZE_C_INTEGER(pown)
 GRAZE_C_INTEGER(rootn)
-#endif
-#if __has_include(<graze/functions/reciprocal_trigonometric.hpp>)
 GRAZE_C_UNARY(cot)
 GRAZE_C_UNARY(sec)
 GRAZE_C_UNARY(csc)
 GRAZE_C_UNARY(acot)
-#endif
-#if __has_include(<graze/functions/reciprocal_hyperbolic.hpp>)
 GRAZE_C_UNARY(coth)
 GRAZE_C_UNARY(sech)
 GRAZE_C_UNARY(csch)
 GRAZE_C_UNARY(acoth)
-#endif
-#if __has_include(<graze/functions/reverse.hpp>)
 GRAZE_C_BINARY(sqr_rev)
 GRAZE_C_BINARY(abs_rev)
 GRAZE_C_BINARY(sin_rev)
@@ -137,7 +122,6 @@ void graze_mul_rev_to_pair(graze_interval b, graze_interval c, graze_interval re
   result[0] = out(pair.first);
   result[1] = out(pair.second);
 }
-#endif
 
 bool graze_nums_to_interval(double lower, double upper, graze_interval* result) {
   const auto made = graze::nums_to_interval(lower, upper);

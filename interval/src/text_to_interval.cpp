@@ -54,16 +54,18 @@ public:
   struct significand {
     std::string digits;
     std::int64_t places; ///< digits after the point
+    bool is_integer;     ///< there is no point
   };
   std::optional<significand> take_significand(bool (*belongs)(char)) {
     const std::string_view whole = take_while(belongs);
-    const std::string_view fraction = take(".") ? take_while(belongs) : std::string_view();
+    const bool is_integer = !take(".");
+    const std::string_view fraction = is_integer ? std::string_view() : take_while(belongs);
     if (whole.empty() && fraction.empty())
       return std::nullopt;
     std::string digits(whole);
     digits += fraction;
     digits.erase(0, digits.find_first_not_of('0'));
-    return significand{digits, static_cast<std::int64_t>(fraction.size())};
+    return significand{digits, static_cast<std::int64_t>(fraction.size()), is_integer};
   }
 
   /// A signed integer; one beyond +-10^17, which no text is long enough to make up for, counts as
@@ -116,12 +118,11 @@ std::optional<end_point> take_end(reader& text) {
     e.number.twos = *exponent - 4 * s->places;
     return e;
   }
-  const bool starts_with_digit = is_digit(text.peek());
   const auto s = text.take_significand(is_digit);
   if (!s)
     return std::nullopt;
   e.number.numerator = natural::of_decimal(s->digits);
-  if (starts_with_digit && s->places == 0 && text.take("/")) {
+  if (s->is_integer && text.take("/")) {
     e.number.denominator = natural::of_decimal(text.take_while(is_digit));
     if (e.number.denominator.is_zero())
       return std::nullopt;

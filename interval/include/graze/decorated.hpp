@@ -95,7 +95,6 @@ template <rounding::Backend B> decorated<B> operator-(const decorated<B>& x) {
 GRAZE_FOR_EACH_FUNCTION(GRAZE_DECORATED_FUNCTION)
 #undef GRAZE_DECORATED_FUNCTION
 
-#if __has_include(<graze/functions/reverse.hpp>)
 /// The two pieces; the second one, a part of the line beyond 0, is trv.
 template <rounding::Backend B>
 std::pair<decorated<B>, decorated<B>> mul_rev_to_pair(const decorated<B>& b,
@@ -107,6 +106,5 @@ std::pair<decorated<B>, decorated<B>> mul_rev_to_pair(const decorated<B>& b,
   const decoration label = std::min({b.label, c.label, local_decoration<F>(first, b.part, c.part)});
   return {decorated_bounds{first, label}, decorated_bounds{second, decoration::trv}};
 }
-#endif
 
 } // namespace graze
