@@ -10,8 +10,9 @@
 #define GRAZE_UNARY_FUNCTIONS(X)                                                                   \
   X(exp)                                                                                           \
   X(exp2)                                                                                          \
-  X(exp10) X(expm1) X(log) X(log2) X(log10) X(log1p) X(sin) X(cos) X(tan) X(asin) X(acos) X(atan)  \
-      X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(cbrt)
+  X(exp10)                                                                                         \
+  X(expm1) X(log) X(log2) X(log10) X(log1p) X(sin) X(cos) X(tan) X(asin) X(acos) X(atan) X(sinh)   \
+      X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(cbrt)
 #define GRAZE_BINARY_FUNCTIONS(X) X(atan2) X(hypot) X(pow)
 
 extern "C" {
@@ -130,11 +131,24 @@ template <double (*Down)(double), double (*Up)(double)> struct both_ways {
   static double up(double x) { return Up(x); }
   static double down(double x) { return Down(x); }
   static void both(double x, double y, double& least, double& greatest) {
-    const double r = Up(x), s = Up(y);
+    const double r = up(x), s = up(y);
     greatest = r < s ? s : r;
-    least = r < s ? Down(x) : Down(y);
+    least = r < s ? down(x) : down(y);
     if (r == s)
-      least = std::fmin(least, Down(x));
+      least = std::fmin(least, down(x));
+  }
+};
+
+/// CRlibm's sinh(+-0x1.633ce8fb9f87ep+9), the first that overflows, is infinite in both directions.
+template <class Function> struct without_infinity : Function {
+  static constexpr double largest = std::numeric_limits<double>::max();
+  static double up(double x) {
+    const double r = Function::up(x);
+    return r == -infinity && x != -infinity ? -largest : r;
+  }
+  static double down(double x) {
+    const double r = Function::down(x);
+    return r == infinity && x != infinity ? largest : r;
   }
 };
 
@@ -214,7 +228,7 @@ using tan = both_ways<tan_rd, tan_ru>;
 using asin = both_ways<asin_rd, asin_ru>;
 using acos = both_ways<acos_rd, acos_ru>;
 using atan = both_ways<atan_rd, atan_ru>;
-using sinh = both_ways<sinh_rd, sinh_ru>;
+using sinh = without_infinity<both_ways<sinh_rd, sinh_ru>>;
 using cosh = both_ways<cosh_rd, cosh_ru>;
 #else
 using exp = from_above<core_math::exp, exact_at_zero_and_infinity>;
