@@ -22,11 +22,16 @@ bounds even(const bounds& c, const bounds& x, double least, Inverse inverse) {
   return hull.result();
 }
 
+end nth_root(double y, int n) {
+  const point::directed root = point::rootn(y, n);
+  return {root.down, root.up};
+}
+
 /// The positive t with t^n in c, n < 0: from infinity (t^n near 0) down to 0 (t^n without bound).
 void add_negative_power(hull_within& hull, const bounds& c, int n, bool mirrored) {
   if (!(c.hi > 0))
     return;
-  const auto root = [n](double y) { return end{point::rootn_down(y, n), point::rootn_up(y, n)}; };
+  const auto root = [n](double y) { return nth_root(y, n); };
   const end lo = c.hi < infinity ? root(c.hi) : just_above(0);
   const end hi = c.lo > 0 ? root(c.lo) : unbounded_above;
   mirrored ? hull.add(-hi, -lo) : hull.add(lo, hi);
@@ -58,7 +63,7 @@ bounds pown_rev::value(bounds c, bounds x, int n) {
     add_negative_power(hull, n % 2 == 0 ? c : bounds{-c.hi, -c.lo}, n, true);
     return hull.result();
   }
-  const auto root = [n](double y) { return end{point::rootn_down(y, n), point::rootn_up(y, n)}; };
+  const auto root = [n](double y) { return nth_root(y, n); };
   if (n % 2 == 0)
     return even(c, x, 0, root);
   hull.add(c.lo > -infinity ? root(c.lo) : unbounded_below,

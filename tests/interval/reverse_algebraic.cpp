@@ -28,7 +28,8 @@ template <class Function, class... Doubles> rounded_value by_mpfr(Function f, Do
   return {oracle::rounded_down(f, x...), oracle::rounded_up(f, x...)};
 }
 
-const rounded_value plus_infinity = value_below(unbounded), minus_infinity = value_above(-unbounded);
+const rounded_value plus_infinity = value_below(unbounded),
+                    minus_infinity = value_above(-unbounded);
 
 // --- f at a place -----------------------------------------------------------------------------
 
@@ -151,8 +152,9 @@ public:
     }
   }
   double exponent() {
-    static const double list[] = {0, 0.5, 1, 2, 3, 4, -1, -2, -0.5, 0.25, 0x1p-1074, 1e-300, 1e300,
-                                  0.1, -7, 1.0 / 3, 53, -1e18, 0x1p-60};
+    static const double list[] = {0,  0.5,     1,    2,         3,      4,     -1,
+                                  -2, -0.5,    0.25, 0x1p-1074, 1e-300, 1e300, 0.1,
+                                  -7, 1.0 / 3, 53,   -1e18,     0x1p-60};
     switch (below(4)) {
     case 0:
       return list[below(std::size(list))];
@@ -236,8 +238,8 @@ void judge_even(const char* name, Operation operation, Direct f, double least, d
                                 std::numeric_limits<double>::max());
     const bounds c = in.below(16) == 0 ? in.about(least) : in.about(y);
     const bounds x = in.below(8) == 0 ? bounds::entire() : in.about(in.coin() ? t : -t);
-    failures += !judge(count, reverse_judge(f, {0}, c), x, operation(c, x),
-                       [&] { return "c " + text(c); });
+    failures +=
+        !judge(count, reverse_judge(f, {0}, c), x, operation(c, x), [&] { return "c " + text(c); });
   }
   CHECK(count.judged == input_count());
 }
@@ -264,21 +266,21 @@ TEST_CASE("interval.reverse: pown_rev is tightest", "[property][mpfr][hardcase]"
   inputs in(1789);
   tally count{"pown_rev"};
   int failures = 0;
-  static const int list[] = {0, 1, 2, 3, -1, -2, -3, 4, 8, -8, 7, 1023, -1074, 100000, -99999,
-                             INT_MAX, INT_MIN, INT_MIN + 1};
+  static const int list[] = {0,  1, 2,    3,     -1,     -2,     -3,      4,       8,
+                             -8, 7, 1023, -1074, 100000, -99999, INT_MAX, INT_MIN, INT_MIN + 1};
   for (long i = 0; i < input_count() && failures < most_failures; ++i) {
-    const int n =
-        in.coin() ? list[in.below(std::size(list))] : static_cast<int>(in.below(60)) - 30;
+    const int n = in.coin() ? list[in.below(std::size(list))] : static_cast<int>(in.below(60)) - 30;
     // Roots of any double, and doubles whose powers are near the ends of the range.
     double t = (in.coin() ? 1 : -1) *
                (std::abs(n) < 2 ? std::fabs(in.number())
                                 : std::exp2((static_cast<double>(in.below(2100)) - 1074) / n));
     t = hard_operands::step(t, static_cast<int>(in.below(1000)));
-    if (in.below(4) == 0)
-      t = in.coin() ? std::ldexp(t < 0 ? -1.0 : 1.0, std::ilogb(t)) : in.number();
-    const double y = std::clamp(pown_at(t == 0 ? place{1, 0} : place{t, 0}, n).lo.down,
-                                -std::numeric_limits<double>::max(),
-                                std::numeric_limits<double>::max());
+    if (!std::isfinite(t) || in.below(4) == 0)
+      t = t != 0 && std::isfinite(t) && in.coin() ? std::ldexp(t < 0 ? -1.0 : 1.0, std::ilogb(t))
+                                                  : in.number();
+    const double y =
+        std::clamp(pown_at(t == 0 ? place{1, 0} : place{t, 0}, n).lo.down,
+                   -std::numeric_limits<double>::max(), std::numeric_limits<double>::max());
     const bounds c = in.about(y);
     const bounds x = in.below(8) == 0 ? bounds::entire() : in.about(in.below(4) != 0 ? t : -t);
     const auto f = [n](place p) { return pown_at(p, n); };
@@ -302,8 +304,8 @@ TEST_CASE("interval.reverse: mul_rev and mul_rev_to_pair are tightest",
     }
     const bounds b = in.about(divisor), c = in.about(dividend);
     const double quotient = divisor == 0 ? in.number() : dividend / divisor;
-    const bounds x = in.below(8) == 0 || !std::isfinite(quotient) ? bounds::entire()
-                                                                  : in.about(quotient);
+    const bounds x =
+        in.below(8) == 0 || !std::isfinite(quotient) ? bounds::entire() : in.about(quotient);
     const auto f = [&b](place p) { return multiples(b, p); };
     const reverse_judge of(f, {0}, c);
     const auto describe = [&] { return "b " + text(b) + " c " + text(c); };
@@ -330,8 +332,8 @@ TEST_CASE("interval.reverse: pow_rev1 and pow_rev2 are tightest", "[property][mp
   for (long i = 0; i < input_count() && failures < most_failures; ++i) {
     const double u = in.below(8) == 0 ? std::fabs(in.number()) : in.near_one();
     const double y = in.exponent();
-    const double z = std::clamp(u == 0 ? 0.0 : std::pow(u, y), 0.0,
-                                std::numeric_limits<double>::max());
+    const double z =
+        std::clamp(u == 0 ? 0.0 : std::pow(u, y), 0.0, std::numeric_limits<double>::max());
     const bounds base = in.about(u), exponent = in.about(y), c = in.about(z);
 
     const auto of_base = [&](place p) { return powers_of(p, exponent); };

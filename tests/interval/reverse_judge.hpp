@@ -3,9 +3,9 @@
 /// of { t in x : f(t) is defined and meets c }, f set-valued where another operand is an interval?
 ///
 /// It knows no inverse function. It looks at f at the ends of the result, at their neighbours, and
-/// at and infinitely near the points where f changes its direction, and reasons by continuity: where
-/// f lies wholly below c at one place and wholly above at another, a solution lies between; where it
-/// lies below at both, and each of its ends is monotone between them, none does.
+/// at and infinitely near the points where f changes its direction, and reasons by continuity:
+/// where f lies wholly below c at one place and wholly above at another, a solution lies between;
+/// where it lies below at both, and each of its ends is monotone between them, none does.
 #include <cmath>
 #include <functional>
 #include <graze/bounds.hpp>

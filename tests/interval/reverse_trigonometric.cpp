@@ -127,9 +127,9 @@ public:
     case 1: // where the doubles begin to lie further apart than slack, a crest, a period
       return sign * with_exponent(static_cast<int>(below(50)) + 8);
     case 2: { // the doubles nearest to a multiple of pi/2 among all, and their surroundings
-      static const double list[] = {0x1.6ac5b262ca1ffp+849, 0x1.921fb54442d18p+0,
-                                    0x1.921fb54442d18p+1,   0x1.6c6cbc45dc8dep+5,
-                                    0x1.951a0c8a8ae14p+2,   0x1.d9ba50f60e54dp+118,
+      static const double list[] = {0x1.6ac5b262ca1ffp+849,  0x1.921fb54442d18p+0,
+                                    0x1.921fb54442d18p+1,    0x1.6c6cbc45dc8dep+5,
+                                    0x1.951a0c8a8ae14p+2,    0x1.d9ba50f60e54dp+118,
                                     0x1.7be4cd5b4f5d0p+1000, 0x1.fffffffffffffp+1023};
       return sign * step(list[below(std::size(list))], static_cast<int>(below(5)) - 2);
     }
@@ -241,13 +241,13 @@ void judge(wave f, const char* name, std::uint64_t seed) {
       c = in.range(f, std::ldexp(static_cast<double>(in.below(1 << 21)), -20) - 1);
     const bounds x = in.box(t);
     const bounds result = reverse(f, c, x), right = expected(f, c, x);
-    const bool same = right.is_empty() ? result.is_empty()
-                                       : result.lo == right.lo && result.hi == right.hi;
+    const bool same =
+        right.is_empty() ? result.is_empty() : result.lo == right.lo && result.hi == right.hi;
     empty += right.is_empty();
     large += std::fabs(t) >= 0x1p50;
     if (!same && ++wrong <= 10)
-      failures += "\n  c " + text(c) + " x " + text(x) + " = " + text(result) + ", not " +
-                  text(right);
+      failures +=
+          "\n  c " + text(c) + " x " + text(x) + " = " + text(result) + ", not " + text(right);
     // A member, by the direct function: t itself.
     if (x.contains(t) && c.lo <= direct(f, t, MPFR_RNDD) && direct(f, t, MPFR_RNDU) <= c.hi) {
       ++members;
