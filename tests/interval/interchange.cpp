@@ -7,6 +7,7 @@
 namespace {
 
 using graze::bounds, graze::decorated_bounds, graze::decoration;
+using graze::bounds_from_bytes, graze::decorated_from_bytes, graze::to_bytes;
 using std::endian;
 
 constexpr double infinity = graze::checking::infinity;
