@@ -66,7 +66,7 @@ struct refusal {
 
 class parser {
 public:
-  explicit parser(std::string_view text) : lexer_(text), text_(text) { advance(); }
+  explicit parser(std::string_view text) : lexer_(text) { advance(); }
 
   std::vector<statement> file() {
     std::vector<statement> all;
@@ -78,7 +78,6 @@ public:
 
 private:
   lexer lexer_;
-  std::string_view text_;
   token here_;
   std::string_view last_; // the token before here_
 
@@ -289,7 +288,7 @@ private:
 
   value interval() {
     const int line = here_.line;
-    const char* const begin = here_.written.data() - 1;
+    const char* const begin = last_.data(); // "["
     bounds x = bounds::entire();
     bool other = false, nai = false;
     const suffixed word = without_suffix(here_.written);
