@@ -1,5 +1,5 @@
 // The directed point functions against MPFR.
-#include "elementary_arguments.hpp"
+#include "elementary_functions.hpp"
 #include "verdict.hpp"
 #include <catch2/catch.hpp>
 #include <graze/oracle/elementary.hpp>
@@ -12,53 +12,6 @@ namespace point = graze::point;
 using graze::bounds;
 
 namespace {
-
-struct unary {
-  const char* name;
-  double (*down)(double);
-  double (*up)(double);
-  int (*exact)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
-  test::active_range active;
-};
-#define GRAZE_UNARY(name, exact, lo, hi)                                                           \
-  unary {                                                                                          \
-    #name, point::name##_down, point::name##_up, exact, { lo, hi }                                 \
-  }
-const unary functions[] = {
-    GRAZE_UNARY(exp, mpfr_exp, -0x1.74910d52d3051p+9, 0x1.62e42fefa39efp+9),
-    GRAZE_UNARY(exp2, mpfr_exp2, -1075, 1024),
-    GRAZE_UNARY(exp10, mpfr_exp10, -0x1.439b746e36b52p+8, 0x1.34413509f79ffp+8),
-    GRAZE_UNARY(expm1, mpfr_expm1, -0x1.25e4f7b2737fap+5, 0x1.62e42fefa39efp+9),
-    GRAZE_UNARY(log, mpfr_log, 0, 10),
-    GRAZE_UNARY(log2, mpfr_log2, 0, 10),
-    GRAZE_UNARY(log10, mpfr_log10, 0, 10),
-    GRAZE_UNARY(logp1, mpfr_log1p, -1, 10),
-    GRAZE_UNARY(sin, mpfr_sin, -20, 20),
-    GRAZE_UNARY(cos, mpfr_cos, -20, 20),
-    GRAZE_UNARY(tan, mpfr_tan, -20, 20),
-    GRAZE_UNARY(asin, mpfr_asin, -1, 1),
-    GRAZE_UNARY(acos, mpfr_acos, -1, 1),
-    GRAZE_UNARY(atan, mpfr_atan, -20, 20),
-    GRAZE_UNARY(sinh, mpfr_sinh, -0x1.633ce8fb9f87dp+9, 0x1.633ce8fb9f87dp+9),
-    GRAZE_UNARY(cosh, mpfr_cosh, -0x1.633ce8fb9f87dp+9, 0x1.633ce8fb9f87dp+9),
-    GRAZE_UNARY(tanh, mpfr_tanh, -0x1.30fc1931f09cap+4, 0x1.30fc1931f09cap+4),
-    GRAZE_UNARY(asinh, mpfr_asinh, -20, 20),
-    GRAZE_UNARY(acosh, mpfr_acosh, 1, 20),
-    GRAZE_UNARY(atanh, mpfr_atanh, -1, 1),
-    GRAZE_UNARY(cbrt, mpfr_cbrt, -20, 20),
-};
-
-struct binary {
-  const char* name;
-  double (*down)(double, double);
-  double (*up)(double, double);
-  int (*exact)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
-};
-const binary binaries[] = {
-    {"atan2", point::atan2_down, point::atan2_up, mpfr_atan2},
-    {"hypot", point::hypot_down, point::hypot_up, mpfr_hypot},
-    {"pow", point::pow_down, point::pow_up, mpfr_pow},
-};
 
 /// Cubes and their roots, sums of two squares, powers: where a value is a double.
 double exact_argument(test::elementary_arguments& make) {
@@ -73,7 +26,7 @@ double exact_argument(test::elementary_arguments& make) {
 TEST_CASE("interval.points: functions of one argument equal MPFR in both directions",
           "[property][mpfr][hardcase]") {
   const int inputs = test::inputs_per_operation();
-  for (const unary& f : functions) {
+  for (const test::unary& f : test::unary_functions()) {
     test::elementary_arguments make(1788);
     test::verdict result;
     for (int i = 0; i < inputs; ++i) {
@@ -88,7 +41,7 @@ TEST_CASE("interval.points: functions of one argument equal MPFR in both directi
 TEST_CASE("interval.points: functions of two arguments equal MPFR in both directions",
           "[property][mpfr][hardcase]") {
   const int inputs = test::inputs_per_operation();
-  for (const binary& f : binaries) {
+  for (const test::binary& f : test::binary_functions()) {
     test::elementary_arguments make(2008);
     test::hard_operands pairs(1985);
     test::verdict result;
@@ -145,7 +98,7 @@ TEST_CASE("interval.points: functions of two arguments equal MPFR in both direct
 TEST_CASE("interval.points: limits, poles, and outside of the domain", "[unit]") {
   const double infinity = std::numeric_limits<double>::infinity(),
                none = std::numeric_limits<double>::quiet_NaN();
-  for (const unary& f : functions)
+  for (const test::unary& f : test::unary_functions())
     for (const double x : {0.0, -0.0, 1.0, -1.0, 2.0, -2.0, infinity, -infinity, none}) {
       INFO(test::call(f.name, x));
       const bounds expected = oracle::enclosed(f.exact, x);
@@ -153,7 +106,7 @@ TEST_CASE("interval.points: limits, poles, and outside of the domain", "[unit]")
       CHECK(test::same(f.up(x), expected.hi));
     }
   const double values[] = {0.0, -0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -3.0, infinity, -infinity};
-  for (const binary& f : binaries)
+  for (const test::binary& f : test::binary_functions())
     for (const double x : values)
       for (const double y : values) {
         INFO(test::call(f.name, x, y));
