@@ -1,8 +1,8 @@
 #pragma once
 /// Correctly rounded functions of doubles that no library gives: towards -inf (`_down`) and towards
 /// +inf (`_up`) for every double. At infinities the limit; outside of the domain, at poles and for
-/// NaN: NaN. No result depends on the rounding mode in force or on flushing of subnormals in
-/// results.
+/// NaN: NaN. Computed in integers, so that no result depends on the rounding mode in force;
+/// flushing (FTZ, DAZ) must be off, as everywhere.
 
 namespace graze::point {
 
