@@ -119,6 +119,16 @@ TEST_CASE("interval.fma: the point function is MPFR's on hard operands", "[mpfr]
   CHECK(wrong == 0);
 }
 
+TEST_CASE("interval.fma: the last of the error terms decides", "[regression]") {
+  // 2^54 - 2 + 2^-53, where doubles are 2 apart below 2^54: the sums before are exact or ties.
+  for (int e = -200; e <= 200; e += 50) {
+    const double x = std::ldexp(0x1p27 - 1, e), y = 0x1p27 + 1, z = std::ldexp(0x1p-53 - 1, e);
+    CHECK(graze::rounding::fma_up(x, y, z) == std::ldexp(0x1p54, e));
+    CHECK(graze::rounding::fma_down(x, y, z) == std::ldexp(0x1p54 - 2, e));
+    CHECK(graze::rounding::fma_up(-x, y, -z) == -std::ldexp(0x1p54 - 2, e));
+  }
+}
+
 TEST_CASE("interval.arithmetic: tightest on hard boxes", "[mpfr][hardcase]") {
   hard_boxes boxes(2);
   std::vector<std::string> wrong;
