@@ -45,9 +45,9 @@ TEST_CASE("interval.cancel_minus, cancel_plus: exact comparison of widths", "[mp
     bounds x = boxes.next(), y = boxes.next();
     if (numbers.below(4) != 0 && x.is_common()) { // nearly as wide, and far from or near to x
       const double shift =
-          numbers.coin()
-              ? numbers.with_exponent(std::ilogb(x.hi) - static_cast<int>(numbers.below(60)))
-              : 0;
+          numbers.coin() ? numbers.with_exponent((std::isnormal(x.hi) ? std::ilogb(x.hi) : 0) -
+                                                 static_cast<int>(numbers.below(60)))
+                         : 0;
       const double a = numbers.nudged(x.lo + shift), b = numbers.nudged(x.hi + shift);
       if (a <= b && std::isfinite(a) && std::isfinite(b)) {
         y = {a, b};

@@ -399,6 +399,7 @@ TEST_CASE("interval.text: as people write it", "[unit]") {
   CHECK(interval_to_text(bounds{3, 3}) == "[3]");
   CHECK(interval_to_text(bounds{-0.0, 0.5}) == "[0, 0.5]");
   CHECK(interval_to_text(bounds{0.1, 0.1}) == "[0.1, 0.10000000000000001]");
+  CHECK(interval_to_text(bounds{1, 0x1.fffffffffffffp+0}) == "[1, 1.9999999999999998]"); // not 2
   CHECK(interval_to_text(bounds{-1e300, 1e-7}) == "[-1.0000000000000001e300, 1e-7]");
   CHECK(interval_to_text(bounds{-infinity, 123456}) == "[-inf, 123456]");
   CHECK(interval_to_text(bounds::entire()) == "[entire]");
