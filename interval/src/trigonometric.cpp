@@ -12,39 +12,41 @@ constexpr double pi_down = 0x1.921fb54442d18p+1, pi_up = 0x1.921fb54442d19p+1;
 /// In which quarter of the circle is x: floor(2x/pi) mod 4, exactly. Where the whole number is
 /// known as well, `turns` is floor(2x/pi), and `whole` says so.
 struct quarter {
-  int number;
-  bool whole;
   std::int64_t turns;
+  bool whole;
+  [[nodiscard]] int number() const { return static_cast<int>(turns & 3); }
 };
 
-/// Within a scope of Sin and Cos. t below has a relative error of at most 2^-51: 2^-53.3 that of
-/// 2/pi as a double, 2^-52 that of the product in any mode. If the distance of t to the nearest
-/// integers is greater than 2^-50 |t|, the integer below is floor(2x/pi). Otherwise, and for huge
-/// x, the signs of sin x and cos x tell the quarter: no double but 0 is a multiple of pi/2, so that
-/// neither is 0, and a directed rounding keeps the sign (that of a zero too).
-template <class Sin, class Cos> quarter quarter_of(double x) {
+/// For huge x, and next to multiples of pi/2, the signs of sin x and cos x tell the quarter: no
+/// double but 0 is a multiple of pi/2, so that neither is 0, and a directed rounding keeps the sign
+/// (that of a zero too).
+template <class Sin, class Cos> __attribute__((noinline)) quarter quarter_by_signs(double x) {
+  [[maybe_unused]] const typename Sin::scope scope;
+  const bool sin_negative = std::signbit(Sin::up(x)), cos_negative = std::signbit(Cos::up(x));
+  return {sin_negative ? (cos_negative ? 2 : 3) : (cos_negative ? 1 : 0), false};
+}
+
+/// In any mode. t below has a relative error of at most 2^-51: 2^-53.3 that of 2/pi as a double,
+/// 2^-52 that of the product. If its distance to the nearest integers is greater than 2^-50 |t|,
+/// the integer below is floor(2x/pi); so it is where |t| is less than 1.
+inline quarter quarter_of(double x) {
   constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
   const double t = x * two_over_pi, magnitude = std::fabs(t);
-  if (magnitude < 0.5)
-    return x < 0 ? quarter{3, true, -1} : quarter{0, true, 0};
   if (magnitude < 0x1p40) {
     const auto nearer_zero = static_cast<std::int64_t>(t);
     const double fraction = std::fabs(t - static_cast<double>(nearer_zero)); // exact
     const double doubt = magnitude * 0x1p-50;
-    if (fraction > doubt && fraction < 1 - doubt) {
-      const std::int64_t turns = nearer_zero - (t < 0);
-      return {static_cast<int>(turns & 3), true, turns};
-    }
+    if ((fraction < 1 - doubt) & ((fraction > doubt) | (nearer_zero == 0)))
+      return {nearer_zero - (x < 0), true};
   }
-  const bool sin_negative = std::signbit(Sin::up(x)), cos_negative = std::signbit(Cos::up(x));
-  return {sin_negative ? (cos_negative ? 2 : 3) : (cos_negative ? 1 : 0), false, 0};
+  return quarter_by_signs<point::sin, point::cos>(x);
 }
 
 /// How many multiples of pi/2 are between the quarters of a and b, a <= b: n or n + 4 or more for n
 /// = difference mod 4. With n the width b - a is less than (n + 1) pi/2, with n + 4 greater than (n
 /// + 3) pi/2; width compared to (n + 2) pi/2 decides, whatever its rounding. 4 stands for more.
 int multiples_between(const quarter& a, const quarter& b, double width) {
-  const int n = (b.number - a.number) & 3;
+  const int n = (b.number() - a.number()) & 3;
   return width > (n + 2) * 0x1.921fb54442d18p+0 ? 4 : n;
 }
 
@@ -56,16 +58,15 @@ template <class Function, int Shift> bounds wave(const bounds& x) {
   const double width = x.hi - x.lo; // infinite if x is unbounded
   if (!(width < 8))                 // more than 5/2 pi
     return all;
-  [[maybe_unused]] const typename Function::scope scope;
-  const quarter a = quarter_of<point::sin, point::cos>(x.lo),
-                b = quarter_of<point::sin, point::cos>(x.hi);
+  const quarter a = quarter_of(x.lo), b = quarter_of(x.hi);
   const int crossed = multiples_between(a, b, width);
   // Extremes are where quarter 0 ends (the greatest) and where quarter 2 ends (the least).
-  const int first = (a.number + Shift) & 3;
+  const int first = (a.number() + Shift) & 3;
   const int to_greatest = -first & 3, to_least = (2 - first) & 3;
   const bool greatest = to_greatest < crossed, least = to_least < crossed;
   if (greatest && least)
     return all;
+  [[maybe_unused]] const typename Function::scope scope;
   bounds range = all;
   if (!greatest && !least) {
     Function::both(x.lo, x.hi, range.lo, range.hi);
@@ -91,15 +92,14 @@ template <class Function, int Shift> bounds wave(const bounds& x) {
   return greatest ? bounds{range.lo, 1} : bounds{-1, range.hi};
 }
 
-/// Does x hold an odd multiple of pi/2? Within a scope. A bounded x.
+/// Does x, bounded, hold an odd multiple of pi/2?
 bool has_pole(const bounds& x) {
   const double width = x.hi - x.lo;
   if (width > 3.25) // more than pi
     return true;
-  const quarter a = quarter_of<point::sin, point::cos>(x.lo),
-                b = quarter_of<point::sin, point::cos>(x.hi);
+  const quarter a = quarter_of(x.lo), b = quarter_of(x.hi);
   const int crossed = multiples_between(a, b, width);
-  return crossed >= 2 || (crossed == 1 && a.number % 2 == 0);
+  return crossed >= 2 || (crossed == 1 && a.number() % 2 == 0);
 }
 
 } // namespace
@@ -112,10 +112,7 @@ bounds tan::value(bounds x) {
     return x;
   if (!x.is_common())
     return bounds::entire();
-  [[maybe_unused]] const point::tan::scope scope;
-  if (has_pole(x))
-    return bounds::entire();
-  return {point::tan::down(x.lo), point::tan::up(x.hi)};
+  return has_pole(x) ? bounds::entire() : elementary::increasing<point::tan>(x);
 }
 
 bounds asin::value(bounds x) {
@@ -135,7 +132,6 @@ decoration cos::local(bounds x) { return everywhere(x); }
 decoration tan::local(bounds x) {
   if (!x.is_common())
     return decoration::trv;
-  [[maybe_unused]] const point::sin::scope scope;
   return elementary::continuous(!has_pole(x));
 }
 decoration asin::local(bounds x) { return elementary::continuous(-1 <= x.lo && x.hi <= 1); }

@@ -3,86 +3,20 @@
 // made here whose values are nearly doubles. And CORE-MATH compiled in two ways.
 #include "elementary_functions.hpp"
 #include "verdict.hpp"
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <graze/oracle/elementary.hpp>
 #include <graze/rounding/hardware.hpp>
-#include <iterator>
-#include <regex>
 #include <vector>
 
 namespace test = graze::test;
 namespace oracle = graze::oracle;
 using graze::bounds;
 
-namespace {
-
-/// Every hexadecimal floating-point literal of a function's source files that is a double.
-std::vector<double> literals_of(const std::string& function) {
-  std::vector<double> found;
-  const std::filesystem::path folder =
-      std::filesystem::path(GRAZE_CORE_MATH_DIR) / "src" / "binary64" / function;
-  for (const std::string& name : {function + ".c", std::string("check_special.c")}) {
-    std::ifstream file(folder / name);
-    const std::string text(std::istreambuf_iterator<char>(file), {});
-    static const std::regex literal("0x[0-9a-fA-F]*\\.?[0-9a-fA-F]*p[-+]?[0-9]+");
-    for (std::sregex_iterator each(text.begin(), text.end(), literal), end; each != end; ++each) {
-      const double x = std::strtod(each->str().c_str(), nullptr);
-      if (std::isfinite(x))
-        found.push_back(x);
-    }
-  }
-  return found;
-}
-
-/// Beside x, on a step of doubles where f is nearly linear, the argument whose value is nearest to
-/// a double but not equal: 2^-15 of an ulp off, or less. There the first, fast evaluation of a
-/// correctly rounded function cannot decide.
-double nearly_a_double(const test::unary& f, double x) {
-  constexpr int steps = 1 << 14;
-  const double last = test::hard_operands::step(x, steps);
-  oracle::number value(160), other(160), argument;
-  const auto evaluate = [&](double at, mpfr_ptr into) {
-    mpfr_set_d(argument, at, MPFR_RNDN);
-    f.exact(into, argument, MPFR_RNDN);
-  };
-  evaluate(x, value);
-  evaluate(last, other);
-  if (!mpfr_regular_p(value) || !mpfr_regular_p(other) || std::signbit(x) != std::signbit(last))
-    return x;
-  // In units of 2^-64 ulp, modulo the ulp.
-  const auto exponent = mpfr_get_exp(value);
-  if (exponent < -1000)
-    return x;
-  const auto fraction = [&](mpfr_ptr t) {
-    oracle::number scaled(160), whole(160);
-    mpfr_mul_2si(scaled, t, 53 - exponent, MPFR_RNDN);
-    mpfr_floor(whole, scaled);
-    mpfr_sub(scaled, scaled, whole, MPFR_RNDN);
-    mpfr_mul_2ui(scaled, scaled, 64, MPFR_RNDN);
-    return mpfr_get_uj(scaled, MPFR_RNDZ);
-  };
-  const std::uint64_t start = fraction(value);
-  mpfr_sub(other, other, value, MPFR_RNDN);
-  mpfr_div_ui(other, other, steps, MPFR_RNDN);
-  const std::uint64_t slope = fraction(other);
-  std::uint64_t here = start, least = ~std::uint64_t{0};
-  int best = 0;
-  for (int k = 0; k < steps; ++k, here += slope) {
-    const std::uint64_t distance = here >> 63 ? ~here + 1 : here;
-    if (distance < least && distance != 0) {
-      least = distance;
-      best = k;
-    }
-  }
-  return test::hard_operands::step(x, best);
-}
-
-} // namespace
-
 TEST_CASE("interval.points: hard cases that CORE-MATH's sources name", "[mpfr][hardcase]") {
   for (const test::unary& f : test::unary_functions()) {
-    const std::vector<double> arguments = literals_of(f.core_math);
+    const std::vector<double> arguments = test::literals_of(f.core_math);
     INFO(f.name);
     CHECK(arguments.size() > 10);
     test::verdict result;
@@ -95,7 +29,7 @@ TEST_CASE("interval.points: hard cases that CORE-MATH's sources name", "[mpfr][h
     result.check();
   }
   for (const test::binary& f : test::binary_functions()) {
-    const std::vector<double> arguments = literals_of(f.name);
+    const std::vector<double> arguments = test::literals_of(f.name);
     INFO(f.name);
     CHECK(arguments.size() > 10);
     test::verdict result;
@@ -110,6 +44,37 @@ TEST_CASE("interval.points: hard cases that CORE-MATH's sources name", "[mpfr][h
   }
 }
 
+// CRlibm's own tests, 53,613 hard cases, are in its source distribution (tests/*.testdata; not in
+// the crate that the build fetches). GRAZE_CRLIBM_TESTS names that folder. Their arguments are
+// used; MPFR says what is right.
+TEST_CASE("interval.points: CRlibm's own hard cases, where GRAZE_CRLIBM_TESTS has them",
+          "[mpfr][hardcase]") {
+  const char* folder = std::getenv("GRAZE_CRLIBM_TESTS");
+  if (!folder) {
+    WARN("GRAZE_CRLIBM_TESTS is not set: not tested");
+    return;
+  }
+  std::size_t total = 0;
+  for (const test::unary& f : test::unary_functions()) {
+    std::ifstream file(std::filesystem::path(folder) / (std::string(f.core_math) + ".testdata"));
+    test::verdict result;
+    std::size_t count = 0;
+    for (std::string line; std::getline(file, line);) {
+      char mode[8];
+      unsigned high, low;
+      if (std::sscanf(line.c_str(), "%7s %x %x", mode, &high, &low) != 3 || mode[0] == '#')
+        continue;
+      const double x = std::bit_cast<double>(std::uint64_t{high} << 32 | low);
+      result.judge(f.name, oracle::enclosed(f.exact, x), {f.down(x), f.up(x)}, x);
+      ++count;
+    }
+    total += count;
+    if (count > 0)
+      result.check();
+  }
+  CHECK(total > 50000);
+}
+
 TEST_CASE("interval.points: values that are nearly doubles", "[property][mpfr][hardcase]") {
   const int inputs = test::inputs_per_operation() / 50;
   for (const test::unary& f : test::unary_functions()) {
@@ -119,7 +84,7 @@ TEST_CASE("interval.points: values that are nearly doubles", "[property][mpfr][h
       double x = make.uniform(f.active.lo, f.active.hi);
       if (make.coin())
         x = std::ldexp(x, -static_cast<int>(make.below(30)));
-      x = nearly_a_double(f, x);
+      x = test::nearly_a_double(f, x);
       result.judge(f.name, oracle::enclosed(f.exact, x), {f.down(x), f.up(x)}, x);
     }
     result.check();
@@ -129,8 +94,11 @@ TEST_CASE("interval.points: values that are nearly doubles", "[property][mpfr][h
 #if defined(__x86_64__)
 #define GRAZE_UNARY_FUNCTIONS(X)                                                                   \
   X(exp)                                                                                           \
-  X(exp2) X(exp10) X(expm1) X(log) X(log2) X(log10) X(log1p) X(sin) X(cos) X(tan) X(asin) X(acos)  \
-      X(atan) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(cbrt)
+  X(exp2)                                                                                          \
+  X(exp10)                                                                                         \
+  X(expm1)                                                                                         \
+  X(log) X(log2) X(log10) X(log1p) X(sin) X(cos) X(tan) X(asin) X(acos) X(atan) X(sinh) X(cosh)    \
+      X(tanh) X(asinh) X(acosh) X(atanh) X(cbrt)
 #define GRAZE_BINARY_FUNCTIONS(X) X(atan2) X(hypot) X(pow)
 extern "C" {
 #define GRAZE_DECLARE(name) double graze_cr_##name(double), graze_cr_##name##_fma(double);
