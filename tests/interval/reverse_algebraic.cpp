@@ -195,7 +195,7 @@ private:
     default:
       for (auto steps = below(4); steps-- > 0;)
         end = direction < 0 ? graze::test::below(end) : graze::test::above(end);
-      if (std::isinf(end)) // not an end of a set that holds real numbers only
+      if (!std::isfinite(end)) // not an end of a set that holds real numbers only
         end = direction * std::numeric_limits<double>::max();
     }
   }
