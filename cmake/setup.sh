@@ -7,9 +7,21 @@ graze_packages=(
   clang-19 libclang-rt-19-dev
 )
 
+# The build fetches third-party sources with cargo (cmake/elementary_sources.cmake): 1.85 or newer,
+# for the edition that they are written in. Debian 12's own package `cargo` is older than that.
+graze_has_cargo() {
+  local version cargo
+  for cargo in cargo "$HOME/.cargo/bin/cargo"; do
+    version=$("$cargo" --version 2>/dev/null | sed -n 's/^cargo \([0-9]*\.[0-9]*\).*/\1/p') || true
+    [[ -n $version ]] && printf '1.85\n%s\n' "$version" | sort -C -V && return 0
+  done
+  return 1
+}
+
 # Installs what dpkg does not have; does nothing, at once, when all is there.
 graze_install() {
   local missing=() package
+  graze_has_cargo || missing+=(cargo-web)
   for package in "$@" "${graze_packages[@]}"; do
     dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -q '^installed$' ||
       missing+=("$package")
