@@ -31,6 +31,9 @@ GRAZE_INLINE bits below_infinity(pair x) { return (bits)_mm_cmplt_pd(x, both(che
 template <Policies P> [[gnu::cold, gnu::noinline]] pair general_add(pair x, pair y) {
   return load<P>(boost::numeric::operator+(to_interval<P>(x), to_interval<P>(y)));
 }
+template <Policies P> [[gnu::cold, gnu::noinline]] pair general_sub(pair x, pair y) {
+  return load<P>(boost::numeric::operator-(to_interval<P>(x), to_interval<P>(y)));
+}
 template <Policies P> [[gnu::cold, gnu::noinline]] pair general_mul(pair x, pair y) {
   return load<P>(boost::numeric::operator*(to_interval<P>(x), to_interval<P>(y)));
 }
@@ -46,12 +49,19 @@ template <Policies P> [[gnu::cold, gnu::noinline]] pair general_sqrt(pair x) {
 
 template <class P> using operations = typename P::rounding::backend::pair_operations;
 
-/// (-a, b) of the sum of two intervals given so. Nothing is special: an empty operand's NaN reaches
-/// a bound, and where infinities of the empty [inf, inf] go, no non-empty set comes out.
+// Sums have no special case: an empty operand's NaN reaches a bound, and where infinities of the
+// empty [inf, inf] go, no non-empty set comes out.
 template <Policies P> GRAZE_INLINE interval_of<P> sum(pair x, pair y) {
-  const result r = operations<P>::add(x, y);
+  const result r = operations<P>::sub_add(flip_first(x), y);
   if (!all(r.good)) [[unlikely]]
-    return to_interval<P>(general_add<P>(flip_first(x), flip_first(y)));
+    return to_interval<P>(general_add<P>(x, y));
+  return to_interval<P>(flip_first(r.value));
+}
+/// x - y = x + -y, and -y is (d, -c).
+template <Policies P> GRAZE_INLINE interval_of<P> difference(pair x, pair y) {
+  const result r = operations<P>::add(flip_first(x), swapped(flip_first(y)));
+  if (!all(r.good)) [[unlikely]]
+    return to_interval<P>(general_sub<P>(x, y));
   return to_interval<P>(flip_first(r.value));
 }
 
@@ -69,30 +79,37 @@ template <Policies P> GRAZE_INLINE interval_of<P> product(pair x, pair y) {
   return to_interval<P>(flip_first(r));
 }
 
-/// (-a, b) over a divisor between `least` and `greatest`, both positive: each half over the one if
-/// it is positive and over the other if not.
+/// (-a, b) over a divisor between `least` and `greatest`, which are not negative: each half over
+/// the one if it is positive and over the other if not.
 template <Policies P>
 GRAZE_INLINE interval_of<P> quotient_by_positive(pair x, pair y, pair numerator, pair least,
                                                  pair greatest) {
   using op = operations<P>;
   const bits positive = (bits)_mm_cmpgt_pd(numerator, both(0));
   const pair r = op::div(numerator, select(positive, least, greatest));
-  if (!all(below_infinity(r) & op::div_range(x) & op::div_range(y))) [[unlikely]]
+  // nothing unbounded or empty, nothing divided by 0, nor by the empty [inf, inf]
+  const bits good = below_infinity(r) & below_infinity(least);
+  if (!all(good & op::div_range(x) & op::div_range(y))) [[unlikely]]
     return to_interval<P>(general_div<P>(x, y));
   return to_interval<P>(flip_first(r));
 }
 
-/// Three cases, since where y has numbers of both signs no division is needed. For y < 0 it is
-/// -x / -y, and -x is (b, -a). Unbounded, empty and zero divisors go to the general operator.
+/// Three cases by y's signs, since where y has numbers of both no division is needed. For y < 0 it
+/// is -x / -y, and -x is (b, -a).
 template <Policies P> GRAZE_INLINE interval_of<P> quotient(pair x, pair y) {
-  const pair lower = _mm_unpacklo_pd(y, y), upper = _mm_unpackhi_pd(y, y);
-  if (y[0] > 0 && y[1] < checking::infinity)
-    return quotient_by_positive<P>(x, y, flip_first(x), lower, upper);
-  if (y[1] < 0 && y[0] > -checking::infinity)
-    return quotient_by_positive<P>(x, y, swapped(flip_first(x)), negated(upper), negated(lower));
-  // x has a number but 0, and both are bounded
-  if (y[0] < 0 && y[1] > 0 && all(below_infinity(magnitude(y)) & below_infinity(magnitude(x))) &&
-      !all((bits)_mm_cmpeq_pd(x, both(0))))
+  const int negative = _mm_movemask_pd(y);
+  if (negative == 0)
+    return quotient_by_positive<P>(x, y, flip_first(x), _mm_unpacklo_pd(y, y),
+                                   _mm_unpackhi_pd(y, y));
+  if (negative == 3) {
+    const pair size = negated(y);
+    return quotient_by_positive<P>(x, y, swapped(flip_first(x)), _mm_unpackhi_pd(size, size),
+                                   _mm_unpacklo_pd(size, size));
+  }
+  // c < 0 < d, and x has a number but 0
+  const pair size = magnitude(x);
+  if (all((bits)_mm_cmpgt_pd(flip_first(y), both(0)) & (bits)_mm_cmpgt_pd(size, both(0)) &
+          below_infinity(size))) [[likely]]
     return interval_of<P>::whole();
   return to_interval<P>(general_div<P>(x, y));
 }
@@ -126,16 +143,14 @@ template <Policies P> GRAZE_INLINE interval_of<P> square_root(pair x) {
 /// Encloses { s + t : s in x, t in y }. Error: 0 ulp per endpoint, as of all of these.
 template <PackedPolicies P>
 GRAZE_INLINE interval_of<P> operator+(const interval_of<P>& x, const interval_of<P>& y) {
-  using namespace detail::packed;
   [[maybe_unused]] const typename P::rounding scope;
-  return sum<P>(flip_first(load(x)), flip_first(load(y)));
+  return detail::packed::sum<P>(detail::packed::load(x), detail::packed::load(y));
 }
 /// Encloses { s - t : s in x, t in y }.
 template <PackedPolicies P>
 GRAZE_INLINE interval_of<P> operator-(const interval_of<P>& x, const interval_of<P>& y) {
-  using namespace detail::packed;
   [[maybe_unused]] const typename P::rounding scope;
-  return sum<P>(flip_first(load(x)), swapped(flip_first(load(y))));
+  return detail::packed::difference<P>(detail::packed::load(x), detail::packed::load(y));
 }
 /// Encloses { s t : s in x, t in y }.
 template <PackedPolicies P>

@@ -58,6 +58,14 @@ struct result {
 /// The operations in the mode in force, which must be upward: correct on every input.
 struct hardware_up {
   static GRAZE_INLINE result add(pair x, pair y) { return {add_instruction(x, y), bits{-1, -1}}; }
+  /// (x0 - y0, x1 + y1)
+  static GRAZE_INLINE result sub_add(pair x, pair y) {
+#if defined(__SSE3__)
+    return {sub_add_instruction(x, y), bits{-1, -1}};
+#else
+    return add(x, flip_first(y));
+#endif
+  }
   static GRAZE_INLINE pair mul(pair x, pair y) { GRAZE_PACKED("mulpd", x, y); }
   static GRAZE_INLINE pair div(pair x, pair y) { GRAZE_PACKED("divpd", x, y); }
   /// (RD(sqrt x0), RU(sqrt x1)). The lower one as upward::sqrt_down has it.
@@ -73,6 +81,9 @@ struct hardware_up {
 
 private:
   static GRAZE_INLINE pair add_instruction(pair x, pair y) { GRAZE_PACKED("addpd", x, y); }
+#if defined(__SSE3__)
+  static GRAZE_INLINE pair sub_add_instruction(pair x, pair y) { GRAZE_PACKED("addsubpd", x, y); }
+#endif
   static GRAZE_INLINE pair sqrt_instruction(pair x) {
 #if defined(__AVX__)
     asm("vsqrtpd %1, %0" : "=x"(x) : "x"(x), "m"(hardware::control_words));

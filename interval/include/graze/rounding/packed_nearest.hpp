@@ -26,6 +26,9 @@ struct emulated_up {
 #endif
   }
 
+  /// (x0 - y0, x1 + y1)
+  static GRAZE_INLINE result sub_add(pair x, pair y) { return add(x, flip_first(y)); }
+
   static GRAZE_INLINE pair mul(pair x, pair y) {
 #if defined(__AVX512F__)
     return embedded_mul(x, y);
