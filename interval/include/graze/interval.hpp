@@ -64,9 +64,10 @@ template <Policies P> interval_of<P> operator*(const interval_of<P>& x, const do
   return y * x;
 }
 
+namespace detail {
 /// Encloses { a / b : a in x, b in y, b != 0 }; empty for y = [0, 0]. Where y reaches 0 from one
 /// side and x ends at 0, Boost's own operator gives entire: [-1, 0] / [0, 1] is [-inf, 0].
-template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const interval_of<P>& y) {
+template <Policies P> interval_of<P> divide(const interval_of<P>& x, const interval_of<P>& y) {
   using I = interval_of<P>;
   if (empty(x) || empty(y))
     return I::empty();
@@ -91,6 +92,11 @@ template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const in
   if (b <= 0)
     return I(rnd.div_down(b, c), d == 0 ? infinity : rnd.div_up(a, d), true);
   return d == 0 ? I::whole() : I(rnd.div_down(b, d), rnd.div_up(a, d), true);
+}
+} // namespace detail
+
+template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const interval_of<P>& y) {
+  return detail::divide(x, y);
 }
 template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const double& y) {
   return x / interval_of<P>(y);
@@ -162,3 +168,7 @@ template <Policies P> double mid(const interval_of<P>& x) {
 }
 
 } // namespace graze
+
+#if defined(__x86_64__)
+#include <graze/packed_arithmetic.hpp>
+#endif

@@ -30,6 +30,7 @@ struct checking {
 /// The Rounding concept of Boost.Interval on a backend: the object is the scope, its members are
 /// the operations. Source: Boost.Interval, "Rounding policies".
 template <rounding::Backend B> struct boost_rounding : private B::scope {
+  using backend = B;
   /// For code that holds a `boost_rounding<B>` (or a scope of B) already.
   using unprotected_rounding = boost_rounding<rounding::held<B>>;
 
