@@ -1,5 +1,14 @@
+#include "elementary/exponential_pair.hpp"
 #include "elementary/monotone.hpp"
 #include <graze/functions/exponential.hpp>
+
+namespace graze::elementary {
+
+__attribute__((noinline)) bounds exponential_each(double lo, double hi) {
+  return increasing_everywhere<correctly_rounded::exp>(lo, hi);
+}
+
+} // namespace graze::elementary
 
 namespace graze::functions {
 namespace {
@@ -7,27 +16,31 @@ namespace {
 namespace point = correctly_rounded;
 using elementary::everywhere;
 
-template <class Function> bounds exponential(const bounds& x) {
-  return x.is_empty() ? x : elementary::increasing<Function>(x);
-}
+using elementary::increasing_everywhere;
 
 /// An increasing function with the domain (pole, inf), at whose lower end it is -inf.
-template <class Function> bounds logarithm(const bounds& x, double pole) {
-  if (!(x.hi > pole))
+template <class Function> bounds logarithm(double lo, double hi, double pole) {
+  if (!(hi > pole))
     return bounds::empty();
-  return elementary::increasing<Function>({x.lo > pole ? x.lo : pole, x.hi});
+  return elementary::increasing<Function>(lo > pole ? lo : pole, hi);
 }
 
 } // namespace
 
-bounds exp::value(bounds x) { return exponential<point::exp>(x); }
-bounds exp2::value(bounds x) { return exponential<point::exp2>(x); }
-bounds exp10::value(bounds x) { return exponential<point::exp10>(x); }
-bounds expm1::value(bounds x) { return exponential<point::expm1>(x); }
-bounds log::value(bounds x) { return logarithm<point::log>(x, 0); }
-bounds log2::value(bounds x) { return logarithm<point::log2>(x, 0); }
-bounds log10::value(bounds x) { return logarithm<point::log10>(x, 0); }
-bounds logp1::value(bounds x) { return logarithm<point::logp1>(x, -1); }
+bounds exp::value(bounds x) {
+#if defined(__x86_64__)
+  if (point::core_math::fused)
+    return elementary::exponential_pair(x.lo, x.hi);
+#endif
+  return elementary::exponential_each(x.lo, x.hi);
+}
+bounds exp2::value(bounds x) { return increasing_everywhere<point::exp2>(x.lo, x.hi); }
+bounds exp10::value(bounds x) { return increasing_everywhere<point::exp10>(x.lo, x.hi); }
+bounds expm1::value(bounds x) { return increasing_everywhere<point::expm1>(x.lo, x.hi); }
+bounds log::value(bounds x) { return logarithm<point::log>(x.lo, x.hi, 0); }
+bounds log2::value(bounds x) { return logarithm<point::log2>(x.lo, x.hi, 0); }
+bounds log10::value(bounds x) { return logarithm<point::log10>(x.lo, x.hi, 0); }
+bounds logp1::value(bounds x) { return logarithm<point::logp1>(x.lo, x.hi, -1); }
 
 decoration exp::local(bounds x) { return everywhere(x); }
 decoration exp2::local(bounds x) { return everywhere(x); }

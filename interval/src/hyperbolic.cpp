@@ -7,30 +7,31 @@ namespace {
 namespace point = correctly_rounded;
 using elementary::everywhere;
 using elementary::increasing;
-using elementary::infinity;
+using elementary::increasing_everywhere;
 
 } // namespace
 
-bounds sinh::value(bounds x) { return x.is_empty() ? x : increasing<point::sinh>(x); }
-bounds tanh::value(bounds x) { return x.is_empty() ? x : increasing<point::tanh>(x); }
-bounds asinh::value(bounds x) { return x.is_empty() ? x : increasing<point::asinh>(x); }
+bounds sinh::value(bounds x) { return increasing_everywhere<point::sinh>(x.lo, x.hi); }
+bounds tanh::value(bounds x) { return increasing_everywhere<point::tanh>(x.lo, x.hi); }
+bounds asinh::value(bounds x) { return increasing_everywhere<point::asinh>(x.lo, x.hi); }
 
 bounds cosh::value(bounds x) {
   if (x.is_empty())
-    return x;
-  return increasing<point::cosh>({elementary::mignitude(x), elementary::magnitude(x)});
+    return bounds::empty();
+  return increasing<point::cosh>(elementary::mignitude(x.lo, x.hi),
+                                 elementary::magnitude(x.lo, x.hi));
 }
 
 bounds acosh::value(bounds x) {
   if (!(x.hi >= 1))
     return bounds::empty();
-  return increasing<point::acosh>(elementary::clipped(x, 1, infinity));
+  return increasing<point::acosh>(x.lo < 1 ? 1 : x.lo, x.hi);
 }
 
 bounds atanh::value(bounds x) {
   if (!(x.hi > -1 && x.lo < 1))
     return bounds::empty();
-  return increasing<point::atanh>(elementary::clipped(x, -1, 1));
+  return increasing<point::atanh>(x.lo < -1 ? -1 : x.lo, x.hi > 1 ? 1 : x.hi);
 }
 
 decoration sinh::local(bounds x) { return everywhere(x); }

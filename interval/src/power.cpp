@@ -10,15 +10,15 @@ using elementary::everywhere;
 
 } // namespace
 
-bounds cbrt::value(bounds x) { return x.is_empty() ? x : elementary::increasing<point::cbrt>(x); }
+bounds cbrt::value(bounds x) { return elementary::increasing_everywhere<point::cbrt>(x.lo, x.hi); }
 decoration cbrt::local(bounds x) { return everywhere(x); }
 
 bounds hypot::value(bounds x, bounds y) {
   if (x.is_empty() || y.is_empty())
     return bounds::empty();
   const point::hypot::scope scope;
-  return {point::hypot::down(elementary::mignitude(x), elementary::mignitude(y)),
-          point::hypot::up(elementary::magnitude(x), elementary::magnitude(y))};
+  return {point::hypot::down(elementary::mignitude(x.lo, x.hi), elementary::mignitude(y.lo, y.hi)),
+          point::hypot::up(elementary::magnitude(x.lo, x.hi), elementary::magnitude(y.lo, y.hi))};
 }
 decoration hypot::local(bounds x, bounds y) {
   return elementary::continuous(!x.is_empty() && !y.is_empty());

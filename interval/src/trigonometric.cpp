@@ -50,15 +50,16 @@ int multiples_between(const quarter& a, const quarter& b, double width) {
   return width > (n + 2) * 0x1.921fb54442d18p+0 ? 4 : n;
 }
 
-/// sin (Shift = 0) or cos (Shift = 1; cos x = sin(x + pi/2)) over x. Function is that of the two.
-template <class Function, int Shift> bounds wave(const bounds& x) {
-  if (x.is_empty())
-    return x;
+/// sin (Shift = 0) or cos (Shift = 1; cos x = sin(x + pi/2)) over [lo, hi]. Function is that of the
+/// two.
+template <class Function, int Shift> bounds wave(double lo, double hi) {
+  if (lo != lo)
+    return bounds::empty();
   constexpr bounds all{-1, 1};
-  const double width = x.hi - x.lo; // infinite if x is unbounded
-  if (!(width < 8))                 // more than 5/2 pi
+  const double width = hi - lo; // infinite if an end is
+  if (!(width < 8))             // more than 5/2 pi
     return all;
-  const quarter a = quarter_of(x.lo), b = quarter_of(x.hi);
+  const quarter a = quarter_of(lo), b = quarter_of(hi);
   const int crossed = multiples_between(a, b, width);
   // Extremes are where quarter 0 ends (the greatest) and where quarter 2 ends (the least).
   const int first = (a.number() + Shift) & 3;
@@ -69,7 +70,7 @@ template <class Function, int Shift> bounds wave(const bounds& x) {
   [[maybe_unused]] const typename Function::scope scope;
   bounds range = all;
   if (!greatest && !least) {
-    Function::both(x.lo, x.hi, range.lo, range.hi);
+    Function::both(lo, hi, range.lo, range.hi);
     return range;
   }
   // One extreme: the other bound is at the end that is further from it. Twice its place, with an
@@ -77,14 +78,14 @@ template <class Function, int Shift> bounds wave(const bounds& x) {
   bool at_lo = true, at_hi = true;
   if (a.whole && b.whole) {
     const auto place = static_cast<double>(a.turns + 1 + (greatest ? to_greatest : to_least));
-    const double twice = place * pi_down, sum = x.lo + x.hi;
+    const double twice = place * pi_down, sum = lo + hi;
     const double doubt = (std::fabs(twice) + std::fabs(sum)) * 0x1p-48;
     at_lo = sum - twice <= doubt;
     at_hi = sum - twice >= -doubt;
   }
-  const double further = at_lo ? x.lo : x.hi;
+  const double further = at_lo ? lo : hi;
   if (at_lo && at_hi)
-    Function::both(x.lo, x.hi, range.lo, range.hi);
+    Function::both(lo, hi, range.lo, range.hi);
   else if (greatest)
     range.lo = Function::down(further);
   else
@@ -92,47 +93,45 @@ template <class Function, int Shift> bounds wave(const bounds& x) {
   return greatest ? bounds{range.lo, 1} : bounds{-1, range.hi};
 }
 
-/// Does x, bounded, hold an odd multiple of pi/2?
-bool has_pole(const bounds& x) {
-  const double width = x.hi - x.lo;
+/// Does [lo, hi], bounded, hold an odd multiple of pi/2?
+bool has_pole(double lo, double hi) {
+  const double width = hi - lo;
   if (width > 3.25) // more than pi
     return true;
-  const quarter a = quarter_of(x.lo), b = quarter_of(x.hi);
+  const quarter a = quarter_of(lo), b = quarter_of(hi);
   const int crossed = multiples_between(a, b, width);
   return crossed >= 2 || (crossed == 1 && a.number() % 2 == 0);
 }
 
 } // namespace
 
-bounds sin::value(bounds x) { return wave<point::sin, 0>(x); }
-bounds cos::value(bounds x) { return wave<point::cos, 1>(x); }
+bounds sin::value(bounds x) { return wave<point::sin, 0>(x.lo, x.hi); }
+bounds cos::value(bounds x) { return wave<point::cos, 1>(x.lo, x.hi); }
 
 bounds tan::value(bounds x) {
-  if (x.is_empty())
-    return x;
   if (!x.is_common())
-    return bounds::entire();
-  return has_pole(x) ? bounds::entire() : elementary::increasing<point::tan>(x);
+    return x.is_empty() ? bounds::empty() : bounds::entire();
+  return has_pole(x.lo, x.hi) ? bounds::entire() : elementary::increasing<point::tan>(x.lo, x.hi);
 }
 
 bounds asin::value(bounds x) {
   if (!(x.hi >= -1 && x.lo <= 1))
     return bounds::empty();
-  return elementary::increasing<point::asin>(elementary::clipped(x, -1, 1));
+  return elementary::increasing<point::asin>(x.lo < -1 ? -1 : x.lo, x.hi > 1 ? 1 : x.hi);
 }
 bounds acos::value(bounds x) {
   if (!(x.hi >= -1 && x.lo <= 1))
     return bounds::empty();
-  return elementary::decreasing<point::acos>(elementary::clipped(x, -1, 1));
+  return elementary::decreasing<point::acos>(x.lo < -1 ? -1 : x.lo, x.hi > 1 ? 1 : x.hi);
 }
-bounds atan::value(bounds x) { return x.is_empty() ? x : elementary::increasing<point::atan>(x); }
+bounds atan::value(bounds x) { return elementary::increasing_everywhere<point::atan>(x.lo, x.hi); }
 
 decoration sin::local(bounds x) { return everywhere(x); }
 decoration cos::local(bounds x) { return everywhere(x); }
 decoration tan::local(bounds x) {
   if (!x.is_common())
     return decoration::trv;
-  return elementary::continuous(!has_pole(x));
+  return elementary::continuous(!has_pole(x.lo, x.hi));
 }
 decoration asin::local(bounds x) { return elementary::continuous(-1 <= x.lo && x.hi <= 1); }
 decoration acos::local(bounds x) { return elementary::continuous(-1 <= x.lo && x.hi <= 1); }

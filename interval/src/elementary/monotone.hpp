@@ -8,25 +8,25 @@ namespace graze::elementary {
 
 using correctly_rounded::infinity;
 
-/// The range of an increasing function over x, which is not empty and within the closure of its
-/// domain; at an end of the domain that is not in it, and at infinite ends, the limits of Function.
-template <class Function> bounds increasing(const bounds& x) {
+/// The range of an increasing function over [lo, hi], which is not empty and within the closure of
+/// its domain; at an end of the domain that is not in it, and at infinite ends, the limits of
+/// Function. (Two doubles and not bounds: GCC 12 passes those through memory, at 2 ns.)
+template <class Function> bounds increasing(double lo, double hi) {
   [[maybe_unused]] const typename Function::scope scope;
-  return {Function::down(x.lo), Function::up(x.hi)};
+  return {Function::down(lo), Function::up(hi)};
 }
-template <class Function> bounds decreasing(const bounds& x) {
+template <class Function> bounds decreasing(double lo, double hi) {
   [[maybe_unused]] const typename Function::scope scope;
-  return {Function::down(x.hi), Function::up(x.lo)};
+  return {Function::down(hi), Function::up(lo)};
+}
+/// The same for a function that is defined everywhere, and x empty or not (lo is a NaN).
+template <class Function> bounds increasing_everywhere(double lo, double hi) {
+  return lo != lo ? bounds::empty() : increasing<Function>(lo, hi);
 }
 
-/// x without what is outside of [lo, hi]; x is not empty. May be empty (lo > hi, not canonical).
-constexpr bounds clipped(const bounds& x, double lo, double hi) {
-  return {x.lo < lo ? lo : x.lo, x.hi > hi ? hi : x.hi};
-}
-
-/// The least and the greatest |t| of x, which is not empty.
-inline double mignitude(const bounds& x) { return x.lo > 0 ? x.lo : x.hi < 0 ? -x.hi : 0; }
-inline double magnitude(const bounds& x) { return x.hi > -x.lo ? x.hi : -x.lo; }
+/// The least and the greatest |t| of [lo, hi], which is not empty.
+inline double mignitude(double lo, double hi) { return lo > 0 ? lo : hi < 0 ? -hi : 0; }
+inline double magnitude(double lo, double hi) { return hi > -lo ? hi : -lo; }
 
 /// Of a function that is defined and continuous everywhere.
 inline decoration everywhere(const bounds& x) {

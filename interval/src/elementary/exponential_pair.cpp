@@ -1,0 +1,97 @@
+#include "exponential_pair.hpp"
+#include "exponential_table.hpp"
+#if defined(__x86_64__)
+#include <cstdint>
+#include <immintrin.h>
+
+#define GRAZE_FUSED __attribute__((target("avx2,fma")))
+
+namespace graze::elementary {
+
+namespace {
+/// A constant in both lanes, in memory: an operand of the instruction that uses it. Quotients such
+/// as 1.0 / 6 would be left to the processor by -frounding-math.
+struct alignas(16) both_lanes {
+  double value[2];
+  constexpr both_lanes(double x) : value{x, x} {}
+  GRAZE_FUSED __attribute__((always_inline)) operator __m128d() const { return _mm_load_pd(value); }
+};
+constexpr both_lanes one(1), nudge(0x1p-60), sign(-0.0), limit(708), shift(0x1.8p+52),
+    inverse(0x1.71547652b82fep+7), step_high(0x1.62e42fefcp-8), step_low(0x1.c610ca86c3899p-44),
+    half(0.5), sixth(0x1.5555555555555p-3), reciprocal_24(0x1.5555555555555p-5),
+    reciprocal_120(0x1.1111111111111p-7), reciprocal_720(0x1.6c16c16c16c17p-10), error(0x1.04p-60);
+
+// With x = k L + r, L = ln2/128, |r| <= (1/2 + 2^-35) L < 2^-8.52, and k = 128 m + i:
+//   e^x = 2^m T e^r,  T = 2^(i/128) = high + low in [1, 2).
+// Everything is to nearest; the errors are absolute, before the exact scaling by 2^m.
+//   L = L1 + L2, L1 of 35 bits, |L2| < 2^-43. |k| < 2^17, so that k L1 is exact. x - k L1 is exact:
+//     for k = 0 trivially; else |x| > 2^-8.6, both terms are multiples of 2^-61 and the difference
+//     is below 2^-8. k L2 < 2^-26 has an error below 2^-78.
+//   z = r rounded: 2^-62. In p below that is 2^-70.
+//   p = z^2 (1/2 + z/6 + ... + z^4/720), |p| < 2^-18: truncated 2^-72, rounded 2^-69.
+//   s = p - k L2: 2^-71. u = (x - k L1) + s: |u| < 2^-8.5, 2^-62.
+//   v = T u + low: |v| < 2^-7.5; T times the errors so far, 2^-61 + 2^-67, and its own rounding,
+//   2^-61
+//     (the product low u is within; its rounding is 2^-106).
+// Hence |e^x / 2^m - (high + v)| < 2^-60 + 2^-66, and high + v = a + b exactly with a = RN(high +
+// v).
+GRAZE_FUSED inline __attribute__((always_inline)) bool decide(double lo, double hi,
+                                                              bounds& result) {
+  const __m128d ends = _mm_set_pd(hi, lo);
+
+  // To nearest, 1 + 2^-60 and 1 - 2^-60 are 1; in any other mode one of them is not. The size is
+  // compared as integers: a comparison with NaN, or an infinite product below, would raise a flag.
+  __m128d tiny = nudge;
+  asm("" : "+x"(tiny));
+  const __m128d moved = _mm_cmpneq_pd(_mm_addsub_pd(one, tiny), one);
+  const __m128i large =
+      _mm_cmpgt_epi64(_mm_castpd_si128(_mm_andnot_pd(sign, ends)), _mm_castpd_si128(limit));
+  if (_mm_movemask_pd(_mm_or_pd(moved, _mm_castsi128_pd(large))) != 0)
+    return false;
+
+  // Beside 1.5 2^52 the unit is 1: the sum's last bits are k.
+  const __m128d shifted = _mm_add_pd(_mm_mul_pd(ends, inverse), shift);
+  const __m128d k = _mm_sub_pd(shifted, shift);
+  const __m128i bits = _mm_castpd_si128(shifted), within = _mm_set1_epi64x(127);
+  const __m128i i = _mm_and_si128(bits, within);
+  const __m128i scale = _mm_slli_epi64(_mm_andnot_si128(within, bits), 52 - 7); // m, as an exponent
+  const __m128d first = _mm_load_pd(&powers_of_two[_mm_cvtsi128_si64(i)].high);
+  const __m128d second = _mm_load_pd(&powers_of_two[_mm_extract_epi64(i, 1)].high);
+  const __m128d high = _mm_unpacklo_pd(first, second), low = _mm_unpackhi_pd(first, second);
+
+  const __m128d rest = _mm_fnmadd_pd(k, step_high, ends); // x - k L1
+  const __m128d correction = _mm_mul_pd(k, step_low);     // -k L2
+  const __m128d z = _mm_add_pd(rest, correction), z2 = _mm_mul_pd(z, z);
+  const __m128d high_terms =
+      _mm_fmadd_pd(z2, reciprocal_720, _mm_fmadd_pd(z, reciprocal_120, reciprocal_24));
+  const __m128d p = _mm_mul_pd(z2, _mm_fmadd_pd(z2, high_terms, _mm_fmadd_pd(z, sixth, half)));
+  const __m128d u = _mm_add_pd(rest, _mm_add_pd(correction, p));
+  const __m128d v = _mm_fmadd_pd(high, u, _mm_fmadd_pd(low, u, low));
+  const __m128d a = _mm_add_pd(high, v), b = _mm_sub_pd(v, _mm_sub_pd(a, high));
+
+  // The value is beyond a by more than 0 and less than the step to the next double, on b's side.
+  if (_mm_movemask_pd(_mm_cmpgt_pd(_mm_andnot_pd(sign, b), error)) != 3)
+    return false;
+  // One step down at lo if b < 0, one up at hi if b > 0. Doubles above 0 are ordered as integers.
+  const __m128i down_if_negative = _mm_cmpgt_epi64(_mm_setzero_si128(), _mm_castpd_si128(b));
+  const __m128i step = _mm_add_epi64(down_if_negative, _mm_set_epi64x(1, 0));
+  const __m128d bound =
+      _mm_castsi128_pd(_mm_add_epi64(_mm_add_epi64(_mm_castpd_si128(a), scale), step));
+  result = {_mm_cvtsd_f64(bound), _mm_cvtsd_f64(_mm_unpackhi_pd(bound, bound))};
+  return true;
+}
+
+} // namespace
+
+GRAZE_FUSED bounds exponential_pair(double lo, double hi) {
+  bounds result;
+  return __builtin_expect(decide(lo, hi, result), 1) ? result : exponential_each(lo, hi);
+}
+
+GRAZE_FUSED bounds exponential_if_decided(double lo, double hi) {
+  bounds result;
+  return decide(lo, hi, result) ? result : bounds::empty();
+}
+
+} // namespace graze::elementary
+#endif
