@@ -106,9 +106,11 @@ int main(int argc, char** argv) {
   add("sqr", [=] { plain::sqr(n, a, r); }, [] { batch::sqr(x, result); });
   add("sqrt", [=] { plain::sqrt(n, p, r); }, [] { batch::sqrt(positive, result); });
   add("fma", [=] { plain::fma(n, a, b, c, r); }, [] { batch::fma(x, y, z, result); });
-  add("polynomial", [=] { plain::tanglecube(n, a, b, c, r); },
+  add(
+      "polynomial", [=] { plain::tanglecube(n, a, b, c, r); },
       [] { batch::biquadratic(x, y, z, shift, constant, result); });
-  add("mul_of_pairs", [=] { plain::mul(n, a, b, r); },
+  add(
+      "mul_of_pairs", [=] { plain::mul(n, a, b, r); },
       [] { batch::mul(x_pairs, y_pairs, result_pairs); });
 
   medians reporter;
@@ -117,7 +119,8 @@ int main(int argc, char** argv) {
   for (const batch::path q : batch::paths)
     std::printf("  %20s", batch::name(q));
   std::printf("\n");
-  for (const char* name : {"add", "mul", "div", "sqr", "sqrt", "fma", "polynomial", "mul_of_pairs"}) {
+  for (const char* name :
+       {"add", "mul", "div", "sqr", "sqrt", "fma", "polynomial", "mul_of_pairs"}) {
     const auto base = reporter.of.find(std::string(name) + "/plain");
     if (base == reporter.of.end())
       continue;
