@@ -70,7 +70,7 @@ using cb = const bounds&;
 using ci = batch::const_intervals;
 using sp = std::span<const bounds>;
 #define GRAZE_UNARY(name, expression)                                                              \
-  {#name, 1,                                                                                       \
+  {#name,                                                                                          \
    [](cb a, cb, cb) {                                                                              \
      const scalar x = to(a);                                                                       \
      return of(expression);                                                                        \
@@ -78,7 +78,7 @@ using sp = std::span<const bounds>;
    [](ci x, ci, ci, batch::intervals r) { batch::name(x, r); },                                    \
    [](sp x, sp, sp, std::span<bounds> r) { batch::name(x, r); }}
 #define GRAZE_BINARY(name, expression)                                                             \
-  {#name, 2,                                                                                       \
+  {#name,                                                                                          \
    [](cb a, cb b, cb) {                                                                            \
      const scalar x = to(a), y = to(b);                                                            \
      return of(expression);                                                                        \
