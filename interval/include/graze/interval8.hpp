@@ -136,21 +136,24 @@ public:
   GRAZE_BATCH_FRIEND mask8 empty(const interval8& x) { return masked<&f::is_empty>(x); }
 #undef GRAZE_BATCH_FRIEND
 
+  using part = batch::part<Path>;
+  /// An operation of one's own: Operation(part...), always_inline and written over Path, for each
+  /// register of the operands. Each part goes through the whole operation before the next: no more
+  /// registers than it needs.
+  template <auto Operation, class... Operands>
+  static GRAZE_BATCH_INLINE interval8 lanewise(const Operands&... x) {
+    return lanewise<Operation>(std::make_index_sequence<count>{}, x...);
+  }
+
 private:
   using f = batch::formulas<Path>;
-  using part = batch::part<Path>;
   static constexpr std::size_t count = lanes / Path::width;
   struct uninitialized {};
   GRAZE_BATCH_INLINE explicit interval8(uninitialized) {}
 
-  // Each part goes through the whole operation before the next: no more registers than it needs.
   template <auto Operation, std::size_t I, class... Operands>
   static GRAZE_BATCH_INLINE void assign(interval8& r, const Operands&... x) {
     r.parts_[I] = Operation(x.parts_[I]...);
-  }
-  template <auto Operation, class... Operands>
-  static GRAZE_BATCH_INLINE interval8 lanewise(const Operands&... x) {
-    return lanewise<Operation>(std::make_index_sequence<count>{}, x...);
   }
   template <auto Operation, std::size_t... I, class... Operands>
   static GRAZE_BATCH_INLINE interval8 lanewise(std::index_sequence<I...>, const Operands&... x) {
