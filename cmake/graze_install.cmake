@@ -1,6 +1,9 @@
 # The package: find_package(graze) gives graze::interval and graze::octree.
 include(CMakePackageConfigHelpers)
-install(TARGETS graze_interval graze_octree EXPORT graze_targets)
+install(TARGETS graze_interval graze_octree graze_core_math EXPORT graze_targets)
+if(TARGET graze_crlibm)
+  install(TARGETS graze_crlibm EXPORT graze_targets)
+endif()
 install(DIRECTORY interval/include/ octree/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT graze_targets NAMESPACE graze:: FILE graze-targets.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/graze)

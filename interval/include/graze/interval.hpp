@@ -152,9 +152,9 @@ template <Policies P> double width(const interval_of<P>& x) {
   typename P::rounding rnd;
   return rnd.sub_up(x.upper(), x.lower());
 }
-/// max { |t| : t in x }, exact; NaN for the empty set.
+/// max { |t| : t in x }, exact, never -0; NaN for the empty set.
 template <Policies P> double mag(const interval_of<P>& x) {
-  return empty(x) ? checking::nan() : std::max(-x.lower(), x.upper());
+  return empty(x) ? checking::nan() : std::max({0.0, -x.lower(), x.upper()});
 }
 /// A finite double in x, near the middle; NaN for the empty set.
 template <Policies P> double mid(const interval_of<P>& x) {

@@ -46,7 +46,8 @@ template <rounding::Backend B> struct boost_rounding : private B::scope {
 
   static double int_down(double x) { return std::floor(x); }
   static double int_up(double x) { return std::ceil(x); }
-  /// A double within [x, y], near the middle in any rounding mode. Bounds finite or not.
+  /// (x + y) / 2 in the rounding mode in force, within [x, y] and never -0; 0 for [-inf, inf], the
+  /// last finite double for half-lines.
   static double median(double x, double y) {
     constexpr double largest = std::numeric_limits<double>::max();
     if (x == -checking::infinity && y == checking::infinity)
@@ -55,8 +56,12 @@ template <rounding::Backend B> struct boost_rounding : private B::scope {
       return -largest;
     if (y == checking::infinity)
       return largest;
-    double middle = x / 2 + y / 2; // halves cannot overflow; they can round out of [x, y]
-    return middle < x ? x : (y < middle ? y : middle);
+    // Half of a sum is rounded once: it is exact where it is normal, and a smaller sum is exact
+    // itself. Where the sum might overflow, halves do not and are exact.
+    double middle = x / 2 + y / 2;
+    if (-0x1p1022 <= middle && middle <= 0x1p1022)
+      middle = (x + y) / 2;
+    return middle == 0 ? 0 : middle;
   }
 
   /// The greatest double <= v and the least double >= v, for any built-in number, in any mode.

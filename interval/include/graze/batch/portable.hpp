@@ -2,7 +2,7 @@
 /// One lane on any machine, by the backend `nearest`: the baseline where there is no SSE2, and the
 /// plainest reading of what a path is.
 #include <graze/batch/path.hpp>
-#include <graze/rounding/exact_fma.hpp>
+#include <graze/rounding/fused.hpp>
 #include <graze/rounding/nearest.hpp>
 
 namespace graze::batch {
@@ -23,10 +23,10 @@ struct portable : rounding::nearest {
   GRAZE_BATCH_OPERATION vector broadcast(double x) { return x; }
   GRAZE_BATCH_OPERATION vector zero() { return 0; }
   GRAZE_BATCH_OPERATION vector fma_up(vector x, vector y, vector z) {
-    return rounding::exact::multiply_add(x, y, z, rounding::exact::direction::up);
+    return rounding::fma_up(x, y, z);
   }
   GRAZE_BATCH_OPERATION vector fma_down(vector x, vector y, vector z) {
-    return rounding::exact::multiply_add(x, y, z, rounding::exact::direction::down);
+    return rounding::fma_down(x, y, z);
   }
   GRAZE_BATCH_OPERATION vector neg(vector x) { return -x; }
   GRAZE_BATCH_OPERATION vector abs(vector x) { return __builtin_fabs(x); }

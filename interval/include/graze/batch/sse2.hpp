@@ -5,7 +5,7 @@
 #endif
 #include <emmintrin.h>
 #include <graze/batch/upward_path.hpp>
-#include <graze/rounding/exact_fma.hpp>
+#include <graze/rounding/fused.hpp>
 
 namespace graze::batch {
 
@@ -48,12 +48,12 @@ struct sse2_registers {
 #endif
     return x;
   }
-  // SSE2 has no fused operation.
+  // SSE2 has no fused operation: one number at a time, in the mode that fused.hpp needs.
   GRAZE_BATCH_OPERATION vector fma_up(vector x, vector y, vector z) {
-    return fma(x, y, z, rounding::exact::direction::up);
+    return fma<&rounding::fma_up>(x, y, z);
   }
   GRAZE_BATCH_OPERATION vector fma_down(vector x, vector y, vector z) {
-    return fma(x, y, z, rounding::exact::direction::down);
+    return fma<&rounding::fma_down>(x, y, z);
   }
 
   GRAZE_BATCH_OPERATION vector neg(vector x) { return _mm_xor_pd(x, broadcast(-0.0)); }
@@ -85,11 +85,13 @@ struct sse2_registers {
   GRAZE_BATCH_OPERATION vector seconds(vector p, vector q) { return _mm_unpackhi_pd(p, q); }
 
 private:
-  GRAZE_BATCH_OPERATION vector fma(vector x, vector y, vector z, rounding::exact::direction d) {
+  template <double (*Fma)(double, double, double)>
+  GRAZE_BATCH_OPERATION vector fma(vector x, vector y, vector z) {
+    const nearest_scope nearest;
     double a[width], b[width], c[width];
     store(a, x), store(b, y), store(c, z);
     for (std::size_t i = 0; i < width; ++i)
-      c[i] = rounding::exact::multiply_add(a[i], b[i], c[i], d);
+      c[i] = Fma(a[i], b[i], c[i]);
     return load(c);
   }
 #undef GRAZE_BATCH_OPERATION

@@ -1,0 +1,78 @@
+#pragma once
+/// Exponentials and logarithms of intervals. Each is the tightest enclosure, 0 ulp per endpoint, of
+/// its range over the members of x that are in its domain; empty if there is none. Source:
+/// CORE-MATH or CRlibm (see graze/point.hpp).
+#include <graze/functions/apply.hpp>
+
+namespace graze {
+namespace functions {
+
+struct exp {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct exp2 {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct exp10 {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct expm1 {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct log {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct log2 {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct log10 {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct logp1 {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+
+} // namespace functions
+
+/// Encloses { e^t : t in x }.
+template <Policies P> interval_of<P> exp(const interval_of<P>& x) {
+  return apply<functions::exp>(x);
+}
+/// Encloses { 2^t : t in x }.
+template <Policies P> interval_of<P> exp2(const interval_of<P>& x) {
+  return apply<functions::exp2>(x);
+}
+/// Encloses { 10^t : t in x }.
+template <Policies P> interval_of<P> exp10(const interval_of<P>& x) {
+  return apply<functions::exp10>(x);
+}
+/// Encloses { e^t - 1 : t in x }.
+template <Policies P> interval_of<P> expm1(const interval_of<P>& x) {
+  return apply<functions::expm1>(x);
+}
+/// Encloses { log t : t in x, t > 0 }.
+template <Policies P> interval_of<P> log(const interval_of<P>& x) {
+  return apply<functions::log>(x);
+}
+/// Encloses { log_2 t : t in x, t > 0 }.
+template <Policies P> interval_of<P> log2(const interval_of<P>& x) {
+  return apply<functions::log2>(x);
+}
+/// Encloses { log_10 t : t in x, t > 0 }.
+template <Policies P> interval_of<P> log10(const interval_of<P>& x) {
+  return apply<functions::log10>(x);
+}
+/// Encloses { log(1 + t) : t in x, t > -1 }.
+template <Policies P> interval_of<P> logp1(const interval_of<P>& x) {
+  return apply<functions::logp1>(x);
+}
+
+} // namespace graze

@@ -1,0 +1,73 @@
+#pragma once
+/// Trigonometric functions of intervals and their inverses, in radians, for arguments of any size.
+/// Each is the tightest enclosure, 0 ulp per endpoint, of its range over the members of x that are
+/// in its domain; empty if there is none. Source: CORE-MATH or CRlibm (see graze/point.hpp).
+#include <graze/functions/apply.hpp>
+
+namespace graze {
+namespace functions {
+
+struct sin {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct cos {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct tan {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct asin {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct acos {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct atan {
+  static bounds value(bounds x);
+  static decoration local(bounds x);
+};
+struct atan2 {
+  static bounds value(bounds y, bounds x);
+  static decoration local(bounds y, bounds x);
+  static bool continuous_around(bounds y, bounds x); ///< not on the negative x axis
+};
+
+} // namespace functions
+
+/// Encloses { sin t : t in x }.
+template <Policies P> interval_of<P> sin(const interval_of<P>& x) {
+  return apply<functions::sin>(x);
+}
+/// Encloses { cos t : t in x }.
+template <Policies P> interval_of<P> cos(const interval_of<P>& x) {
+  return apply<functions::cos>(x);
+}
+/// Encloses { tan t : t in x, t no odd multiple of pi/2 }: entire if x holds such a multiple.
+template <Policies P> interval_of<P> tan(const interval_of<P>& x) {
+  return apply<functions::tan>(x);
+}
+/// Encloses { asin t : t in x, |t| <= 1 }.
+template <Policies P> interval_of<P> asin(const interval_of<P>& x) {
+  return apply<functions::asin>(x);
+}
+/// Encloses { acos t : t in x, |t| <= 1 }.
+template <Policies P> interval_of<P> acos(const interval_of<P>& x) {
+  return apply<functions::acos>(x);
+}
+/// Encloses { atan t : t in x }.
+template <Policies P> interval_of<P> atan(const interval_of<P>& x) {
+  return apply<functions::atan>(x);
+}
+/// Encloses { the angle in (-pi, pi] of the point (s, t) : s in x, t in y, (s, t) != (0, 0) }. On
+/// the negative x axis the angle is pi: a box that holds a part of it and points below is mapped to
+/// [-pi, pi].
+template <Policies P> interval_of<P> atan2(const interval_of<P>& y, const interval_of<P>& x) {
+  return apply<functions::atan2>(y, x);
+}
+
+} // namespace graze

@@ -1,0 +1,39 @@
+#pragma once
+/// Counts how many results are the tightest enclosures that MPFR gives, and keeps the first that
+/// are not.
+#include "elementary_arguments.hpp"
+#include <catch2/catch.hpp>
+
+namespace graze::test {
+
+inline bool same(double a, double b) { return a == b || (a != a && b != b); }
+inline bool same(const bounds& a, const bounds& b) { return same(a.lo, b.lo) && same(a.hi, b.hi); }
+
+class verdict {
+public:
+  /// name(x...), where x are doubles, should be `expected`.
+  template <class... Doubles>
+  void judge(const char* name, const bounds& expected, const bounds& got, Doubles... x) {
+    ++inputs_;
+    if (same(expected, got))
+      return;
+    const bool sound = expected.within(got);
+    ++(sound ? loose_ : unsound_);
+    if (loose_ + unsound_ <= 5)
+      first_ += call(name, x...) + (sound ? ": loose, [" : ": unsound, [") + hexadecimal(got.lo) +
+                ", " + hexadecimal(got.hi) + "] instead of [" + hexadecimal(expected.lo) + ", " +
+                hexadecimal(expected.hi) + "]\n";
+  }
+  void check() const {
+    INFO(first_);
+    CHECK(unsound_ == 0);
+    CHECK(loose_ == 0);
+    CHECK(inputs_ > 0);
+  }
+
+private:
+  long inputs_ = 0, unsound_ = 0, loose_ = 0;
+  std::string first_;
+};
+
+} // namespace graze::test
