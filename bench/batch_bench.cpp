@@ -86,6 +86,10 @@ public:
 } // namespace
 
 int main(int argc, char** argv) {
+  if (const auto reason = batch::refusal(batch::path::avx512)) {
+    std::fprintf(stderr, "plain double is compiled for AVX-512 here: %s\n", reason->c_str());
+    return 1;
+  }
   std::vector<char*> arguments{argv[0]};
   std::string defaults[] = {"--benchmark_repetitions=15", "--benchmark_min_time=0.02",
                             "--benchmark_enable_random_interleaving=true"};

@@ -13,6 +13,7 @@ struct avx2_registers {
   static constexpr std::size_t width = 4;
   using vector = __m256d;
   using mask = __m256d;
+  using fma_scope = empty_scope;
 
 #define GRAZE_BATCH_OPERATION static GRAZE_BATCH_INLINE
   GRAZE_BATCH_OPERATION vector load(const double* p) { return _mm256_loadu_pd(p); }

@@ -16,6 +16,7 @@ struct avx512 {
   using mask = __mmask8;
   /// Embedded rounding does not look at the mode, but does obey FTZ and DAZ.
   using scope = nearest_scope;
+  using fma_scope = empty_scope;
 
 #define GRAZE_BATCH_OPERATION static GRAZE_BATCH_INLINE
   /// As asm, so that a value used twice is not loaded twice: unaligned loads cost two accesses.

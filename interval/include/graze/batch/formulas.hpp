@@ -45,10 +45,11 @@ template <class P> struct formulas {
 
   /// { s t + u : s in x, t in y, u in z }, rounded once.
   /// As mul; a term is NaN where the product is, and then stands for z's end, or where the product
-  /// is +inf and z.lo = -inf (-inf and +inf above): then the bound is z's end, which is also what
-  /// the other term gives, or the bound if that is NaN too.
+  /// is +inf and z.lo = -inf (for the upper bound: -inf and z.hi = +inf): then the bound is z's
+  /// end, which is also what the other term gives, or the bound if that is NaN too.
   GRAZE_BATCH_OPERATION interval fma(const interval& x, const interval& y, const interval& z) {
     const ends_of_product e(x, y);
+    const typename P::fma_scope mode;
     const vector lo =
         P::min_number(P::fma_down(x.lo, e.down_lo, z.lo), P::fma_down(x.hi, e.down_hi, z.lo));
     const vector hi = P::max_number(P::fma_up(x.lo, e.up_lo, z.hi), P::fma_up(x.hi, e.up_hi, z.hi));

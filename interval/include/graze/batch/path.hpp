@@ -4,7 +4,9 @@
 ///
 ///   vector, mask, width      a register of `width` doubles, and a truth value for each of them
 ///   scope                    sets the modes that the operations need; restores MXCSR as found
-///   add_down ... sqrt_up, fma_down, fma_up: each lane correctly rounded, with the zeros' signs of
+///   fma_scope                what fma_down and fma_up need inside scope: a mode of their own, or
+///   none add_down ... sqrt_up, fma_down, fma_up: each lane correctly rounded, with the zeros'
+///   signs of
 ///                            graze::rounding::Backend, the same on every path
 ///   max_or_second(p, q)      p > q ? p : q, so q where either is NaN; min_or_second likewise
 ///   min_number, max_number   the number where the other is NaN; -0 < +0
@@ -40,6 +42,11 @@ private:
 using nearest_scope = mxcsr_scope<0x1f80>;
 using upward_scope = mxcsr_scope<0x5f80>;
 #endif
+
+/// No change of mode.
+struct empty_scope {
+  GRAZE_BATCH_INLINE empty_scope() {}
+};
 
 /// The lanes of one register of intervals: both NaN where empty.
 template <class Path> struct part {

@@ -12,6 +12,7 @@ struct portable : rounding::nearest {
   static constexpr std::size_t width = 1;
   using vector = double;
   using mask = bool;
+  using fma_scope = empty_scope;
   class scope : rounding::hardware::mode_scope {
   public:
     scope() : mode_scope(rounding::hardware::mode::nearest) {}

@@ -14,6 +14,7 @@ struct sse2_registers {
   static constexpr std::size_t width = 2;
   using vector = __m128d;
   using mask = __m128d;
+  using fma_scope = nearest_scope;
 
 #define GRAZE_BATCH_OPERATION static GRAZE_BATCH_INLINE
   GRAZE_BATCH_OPERATION vector load(const double* p) { return _mm_loadu_pd(p); }
@@ -48,12 +49,30 @@ struct sse2_registers {
 #endif
     return x;
   }
-  // SSE2 has no fused operation: one number at a time, in the mode that fused.hpp needs.
+  /// SSE2 has no fused operation. In round to nearest, by the argument of rounding::fma_up
+  /// (interval/src/fused.cpp), in both lanes if both lie where it holds, else one at a time.
   GRAZE_BATCH_OPERATION vector fma_up(vector x, vector y, vector z) {
-    return fma<&rounding::fma_up>(x, y, z);
+    const vector p = mul(x, y), size = abs(p), operands = max_or_second(abs(x), abs(y));
+    const mask safe = both(
+        both(less_equal(broadcast(0x1p-900), size), less_equal(size, broadcast(0x1p1000))),
+        both(less_equal(operands, broadcast(0x1p990)), less_equal(abs(z), broadcast(0x1p1000))));
+    if (bits(safe) != 3) [[unlikely]]
+      return fma_up_one_by_one(x, y, z);
+    // Dekker's product, then Knuth's sums
+    const vector xh = upper_half(x), xl = sub(x, xh), yh = upper_half(y), yl = sub(y, yh);
+    const vector p_error =
+        add(add(add(sub(mul(xh, yh), p), mul(xh, yl)), mul(xl, yh)), mul(xl, yl));
+    vector s_error, t_error, u_error;
+    const vector s = sum(p, z, s_error), t = sum(s_error, p_error, t_error);
+    const vector u = sum(s, t, u_error);
+    const vector rest = select(equal(u_error, zero()), t_error, u_error);
+    // the successor: as an integer one more, or one less below zero
+    const __m128i step = _mm_or_si128(_mm_castpd_si128(less(u, zero())), _mm_set1_epi64x(1));
+    const __m128i taken = _mm_and_si128(_mm_castpd_si128(less(zero(), rest)), step);
+    return _mm_castsi128_pd(_mm_add_epi64(_mm_castpd_si128(u), taken));
   }
   GRAZE_BATCH_OPERATION vector fma_down(vector x, vector y, vector z) {
-    return fma<&rounding::fma_down>(x, y, z);
+    return neg(fma_up(neg(x), y, neg(z)));
   }
 
   GRAZE_BATCH_OPERATION vector neg(vector x) { return _mm_xor_pd(x, broadcast(-0.0)); }
@@ -85,14 +104,22 @@ struct sse2_registers {
   GRAZE_BATCH_OPERATION vector seconds(vector p, vector q) { return _mm_unpackhi_pd(p, q); }
 
 private:
-  template <double (*Fma)(double, double, double)>
-  GRAZE_BATCH_OPERATION vector fma(vector x, vector y, vector z) {
-    const nearest_scope nearest;
+  GRAZE_BATCH_OPERATION vector fma_up_one_by_one(vector x, vector y, vector z) {
     double a[width], b[width], c[width];
     store(a, x), store(b, y), store(c, z);
     for (std::size_t i = 0; i < width; ++i)
-      c[i] = Fma(a[i], b[i], c[i]);
+      c[i] = rounding::fma_up(a[i], b[i], c[i]);
     return load(c);
+  }
+  /// Veltkamp: the upper 26 bits.
+  GRAZE_BATCH_OPERATION vector upper_half(vector x) {
+    const vector scaled = mul(broadcast(0x1p27 + 1), x);
+    return sub(scaled, sub(scaled, x));
+  }
+  GRAZE_BATCH_OPERATION vector sum(vector x, vector y, vector& error) {
+    const vector s = add(x, y), part = sub(s, x);
+    error = add(sub(x, sub(s, part)), sub(y, part));
+    return s;
   }
 #undef GRAZE_BATCH_OPERATION
 };
