@@ -34,6 +34,17 @@ using boost::numeric::width;
 
 template <Policies P> using interval_of = boost::numeric::interval<double, P>;
 
+// Sums need no test for empty operands, which Boost's own make: a NaN reaches a bound, and where
+// infinities of the empty [inf, inf] go, no non-empty set comes out.
+template <Policies P> interval_of<P> operator+(const interval_of<P>& x, const interval_of<P>& y) {
+  [[maybe_unused]] typename P::rounding rnd;
+  return interval_of<P>(rnd.add_down(x.lower(), y.lower()), rnd.add_up(x.upper(), y.upper()), true);
+}
+template <Policies P> interval_of<P> operator-(const interval_of<P>& x, const interval_of<P>& y) {
+  [[maybe_unused]] typename P::rounding rnd;
+  return interval_of<P>(rnd.sub_down(x.lower(), y.upper()), rnd.sub_up(x.upper(), y.lower()), true);
+}
+
 // Mixed operations: a number stands for the interval that holds it alone, so that NaN and
 // infinities, which are no real numbers, give the empty set. (Boost multiplies by infinity as if it
 // were a number: inf * [-1, 1] would be entire, inf * [0, 1] a NaN.)

@@ -34,16 +34,17 @@ template <rounding::Backend B> struct boost_rounding : private B::scope {
   /// For code that holds a `boost_rounding<B>` (or a scope of B) already.
   using unprotected_rounding = boost_rounding<rounding::held<B>>;
 
-  static double add_down(double x, double y) { return B::add_down(x, y); }
-  static double add_up(double x, double y) { return B::add_up(x, y); }
-  static double sub_down(double x, double y) { return B::sub_down(x, y); }
-  static double sub_up(double x, double y) { return B::sub_up(x, y); }
-  static double mul_down(double x, double y) { return B::mul_down(x, y); }
-  static double mul_up(double x, double y) { return B::mul_up(x, y); }
-  static double div_down(double x, double y) { return B::div_down(x, y); }
-  static double div_up(double x, double y) { return B::div_up(x, y); }
-  static double sqrt_down(double x) { return B::sqrt_down(x); }
-  static double sqrt_up(double x) { return B::sqrt_up(x); }
+  // references: see split, which loads from memory
+  static double add_down(const double& x, const double& y) { return B::add_down(x, y); }
+  static double add_up(const double& x, const double& y) { return B::add_up(x, y); }
+  static double sub_down(const double& x, const double& y) { return B::sub_down(x, y); }
+  static double sub_up(const double& x, const double& y) { return B::sub_up(x, y); }
+  static double mul_down(const double& x, const double& y) { return B::mul_down(x, y); }
+  static double mul_up(const double& x, const double& y) { return B::mul_up(x, y); }
+  static double div_down(const double& x, const double& y) { return B::div_down(x, y); }
+  static double div_up(const double& x, const double& y) { return B::div_up(x, y); }
+  static double sqrt_down(const double& x) { return B::sqrt_down(x); }
+  static double sqrt_up(const double& x) { return B::sqrt_up(x); }
 
   static double int_down(double x) { return std::floor(x); }
   static double int_up(double x) { return std::ceil(x); }

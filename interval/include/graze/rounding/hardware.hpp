@@ -22,8 +22,9 @@ namespace graze::rounding::hardware {
 
 /// Stands for the processor's control words in the dependencies above. No instruction reads or
 /// writes it, so that threads share nothing. `used`: a linker that sees the whole program may not
-/// take it for a constant, nor for a variable that other code cannot change.
-[[gnu::used]] inline char control_words = 0;
+/// take it for a constant, nor for a variable that other code cannot change. `hidden`: its address
+/// needs no instruction in a shared library.
+[[gnu::used, gnu::visibility("hidden")]] inline char control_words = 0;
 
 /// Hides a value from the optimizer: what is computed from it is not folded, not contracted into a
 /// fused operation with what made it, and not moved across a change of mode.
