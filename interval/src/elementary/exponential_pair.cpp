@@ -31,18 +31,17 @@ constexpr both_lanes one(1), nudge(0x1p-60), sign(-0.0), limit(708), shift(0x1.8
 //   p = z^2 (1/2 + z/6 + ... + z^4/720), |p| < 2^-18: truncated 2^-72, rounded 2^-69.
 //   s = p - k L2: 2^-71. u = (x - k L1) + s: |u| < 2^-8.5, 2^-62.
 //   v = T u + low: |v| < 2^-7.5; T times the errors so far, 2^-61 + 2^-67, and its own rounding,
-//   2^-61
-//     (the product low u is within; its rounding is 2^-106).
-// Hence |e^x / 2^m - (high + v)| < 2^-60 + 2^-66, and high + v = a + b exactly with a = RN(high +
-// v).
+//     2^-61 (the product low u is within; its rounding is 2^-106).
+// Hence |e^x / 2^m - (high + v)| < 2^-60 + 2^-66 = `error`, and high + v = a + b exactly with
+// a = RN(high + v) and |b| at most half the step from a to the next double on b's side.
 GRAZE_FUSED inline __attribute__((always_inline)) bool decide(double lo, double hi,
                                                               bounds& result) {
-  const __m128d ends = _mm_set_pd(hi, lo);
+  __m128d ends = _mm_set_pd(hi, lo), tiny = nudge;
+  // No operation below may be moved to where another mode is in force.
+  asm volatile("" : "+x"(ends), "+x"(tiny));
 
   // To nearest, 1 + 2^-60 and 1 - 2^-60 are 1; in any other mode one of them is not. The size is
   // compared as integers: a comparison with NaN, or an infinite product below, would raise a flag.
-  __m128d tiny = nudge;
-  asm("" : "+x"(tiny));
   const __m128d moved = _mm_cmpneq_pd(_mm_addsub_pd(one, tiny), one);
   const __m128i large =
       _mm_cmpgt_epi64(_mm_castpd_si128(_mm_andnot_pd(sign, ends)), _mm_castpd_si128(limit));
@@ -67,7 +66,8 @@ GRAZE_FUSED inline __attribute__((always_inline)) bool decide(double lo, double 
   const __m128d p = _mm_mul_pd(z2, _mm_fmadd_pd(z2, high_terms, _mm_fmadd_pd(z, sixth, half)));
   const __m128d u = _mm_add_pd(rest, _mm_add_pd(correction, p));
   const __m128d v = _mm_fmadd_pd(high, u, _mm_fmadd_pd(low, u, low));
-  const __m128d a = _mm_add_pd(high, v), b = _mm_sub_pd(v, _mm_sub_pd(a, high));
+  __m128d a = _mm_add_pd(high, v), b = _mm_sub_pd(v, _mm_sub_pd(a, high));
+  asm volatile("" : "+x"(a), "+x"(b));
 
   // The value is beyond a by more than 0 and less than the step to the next double, on b's side.
   if (_mm_movemask_pd(_mm_cmpgt_pd(_mm_andnot_pd(sign, b), error)) != 3)
