@@ -1,28 +1,26 @@
 # Sourced by ./run and ./check: installs Debian's packages and builds a preset.
 
 graze_packages=(
-  g++ cmake ninja-build
+  gcc g++ cmake ninja-build
   libboost-dev libmpfr-dev libgmp-dev catch2 librapidcheck-dev libopenimageio-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev libtbb-dev
+  libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev
   clang-19 libclang-rt-19-dev
 )
 
-# The build fetches third-party sources with cargo (cmake/elementary_sources.cmake): 1.85 or newer,
-# for the edition that they are written in. Debian 12's own package `cargo` is older than that.
-graze_has_cargo() {
-  local version cargo
-  for cargo in cargo "$HOME/.cargo/bin/cargo"; do
-    version=$("$cargo" --version 2>/dev/null | sed -n 's/^cargo \([0-9]*\.[0-9]*\).*/\1/p') || true
-    [[ -n $version ]] && printf '1.85\n%s\n' "$version" | sort -C -V && return 0
-  done
-  return 1
+# Cargo fetches the pinned sources of CORE-MATH and CRlibm. Debian's own cargo (1.65) is too old for
+# the registry's protocol (1.68); its package cargo-web is not.
+graze_cargo_package() {
+  local cargo
+  cargo=$(command -v cargo || true)
+  [[ -n $cargo || ! -x $HOME/.cargo/bin/cargo ]] || cargo=$HOME/.cargo/bin/cargo
+  [[ -n $cargo && $("$cargo" --version) =~ ^cargo\ 1\.([0-9]+) && ${BASH_REMATCH[1]} -ge 68 ]] ||
+    echo cargo-web
 }
 
 # Installs what dpkg does not have; does nothing, at once, when all is there.
 graze_install() {
   local missing=() package
-  graze_has_cargo || missing+=(cargo-web)
-  for package in "$@" "${graze_packages[@]}"; do
+  for package in "${graze_packages[@]}" $(graze_cargo_package); do
     dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -q '^installed$' ||
       missing+=("$package")
   done
@@ -45,12 +43,13 @@ graze_install() {
   rm -f "$log"
 }
 
-# graze_build PRESET [CMAKE ARGUMENTS...]: configures and builds build/PRESET.
+# graze_build PRESET [TARGET...]: configures and builds build/PRESET, all of it by default. In CI
+# (where CI is set) warnings are errors.
 graze_build() {
   local preset=$1
   shift
   local log="build/$preset/configure.log"
   mkdir -p "build/$preset"
-  cmake --preset "$preset" "$@" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
-  cmake --build --preset "$preset"
+  cmake --preset "$preset" ${CI:+-DGRAZE_WERROR=ON} >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+  cmake --build --preset "$preset" ${1:+--target "$@"}
 }

@@ -168,5 +168,6 @@ decoration atan2::local(bounds y, bounds x) {
     return decoration::trv;
   return x.lo < 0 && y.lo < 0 && y.hi >= 0 ? decoration::def : decoration::dac;
 }
+bool atan2::continuous_around(bounds y, bounds x) { return !(x.lo < 0 && y.contains(0)); }
 
 } // namespace graze::functions

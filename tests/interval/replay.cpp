@@ -1,12 +1,14 @@
 // replay FILE: every backend, every operation, every operand pair of the file, bit for bit; once
 // with a scope around each call, after which the control words must be as before, and once with a
-// scope around many. replay --visible: the cases in visible_operands.cpp. Built by each compiler at
-// several levels of optimization, with flags of its own.
+// scope around many; then the operators of intervals that hold one number. replay --visible: the
+// cases in visible_operands.cpp. Built by each compiler at several levels of optimization, with
+// flags of its own.
 #include "expectations.hpp"
 #include <bit>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <graze/interval.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/switching.hpp>
@@ -79,6 +81,44 @@ template <class B> void replay(const std::vector<expectation>& all) {
   }
 }
 
+/// The bounds of an operation on [x, x] and [y, y] are its two rounded results, a zero of either
+/// sign; on no real number, and for x / 0 and the root of a negative number, the empty set.
+template <class I>
+void compare_set(const char* type, const expectation& e, std::size_t i, bool is_empty, const I& r) {
+  const double down = e.results[i], up = e.results[i + 1];
+  if (is_empty ? empty(r) : r.lower() == down && r.upper() == up)
+    return;
+  if (++failures <= 20)
+    std::printf("%s: %s and up of [%a] and [%a] = [%a, %a], MPFR [%a, %a]\n", type,
+                operation_names[i], e.x, e.y, r.lower(), r.upper(), down, up);
+}
+
+template <class I, class B>
+void replay_sets(const char* type, const std::vector<expectation>& all) {
+  constexpr std::size_t block = 1024;
+  const auto a_number = [](double x) { return x - x == 0; };
+  std::vector<std::array<I, 5>> found(block);
+  for (std::size_t from = 0; from < all.size(); from += block) {
+    const std::size_t count = all.size() - from < block ? all.size() - from : block;
+    {
+      [[maybe_unused]] const typename B::scope scope;
+      for (std::size_t k = 0; k < count; ++k) {
+        const I x = all[from + k].x, y = all[from + k].y;
+        found[k] = {x + y, x - y, x * y, x / y, sqrt(x)};
+      }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const expectation& e = all[from + k];
+      const bool none = !a_number(e.x) || !a_number(e.y);
+      for (std::size_t i = 0; i < 3; ++i)
+        compare_set(type, e, 2 * i, none, found[k][i]);
+      if (e.x != 0 || e.y == 0) // 0 / y is exactly 0, whatever y's sign
+        compare_set(type, e, 6, none || e.y == 0, found[k][3]);
+      compare_set(type, e, 8, !a_number(e.x) || e.x < 0, found[k][4]);
+    }
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -106,6 +146,10 @@ int main(int argc, char** argv) {
   replay<rounding::upward>(all);
   replay<rounding::nearest>(all);
   replay<rounding::split>(all);
+  using rounding::nearest, rounding::upward;
+  replay_sets<graze::interval<nearest>, nearest>("interval<nearest>", all);
+  replay_sets<graze::interval<upward>, nearest>("interval<upward>", all);
+  replay_sets<graze::unprotected<upward>, upward>("unprotected<upward>", all);
   std::printf("4 backends, 10 operations, %zu operand pairs: %ld wrong\n", all.size(), failures);
   return failures == 0 ? 0 : 1;
 }

@@ -1,4 +1,5 @@
 // First hits judged exactly: the polynomial along each ray over rationals, its roots by Sturm.
+#include "../support/exact_roots.hpp"
 #include "surface_judge.hpp"
 #include "surface_scenes.hpp"
 #include <catch2/catch.hpp>
@@ -7,7 +8,6 @@
 #include <graze/octree/published.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree/voxelizer.hpp>
-#include <graze/oracle/rational.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <string>
 
@@ -24,27 +24,14 @@ struct tally {
 /// Whether `h` says the truth about the ray; "" or what is wrong.
 template <class F>
 std::string untruth(const F& f, const box& domain, const ray& r, const surface_hit& h) {
-  const auto range = oracle::rational::range_in(r.origin(), r.direction(), domain.lo, domain.hi);
-  if (!range)
-    return h.outcome == verdict::miss ? "" : "not a miss, though outside the domain";
-  const auto& [enter, leave] = *range;
-  const auto roots = judge::along(f, r);
-  bool any = false, before = false, within = false;
-  for (const auto& p : roots) {
-    any = any || p.any_in(enter, leave);
-    if (h.outcome == verdict::miss)
-      continue;
-    const mpq_class near(h.t_near), far(h.t_far);
-    before = before || p.any_before(enter, std::min(near, leave));
-    within = within || p.any_in(std::max(near, enter), std::min(far, leave));
-  }
+  const auto root = support::first_root(f, r, domain);
   if (h.outcome == verdict::miss)
-    return any ? "a root, reported as a miss" : "";
-  if (h.outcome == verdict::hit && !within)
-    return "no root in the hit's enclosure";
-  if (before)
+    return root ? "a root, reported as a miss" : "";
+  if (h.outcome == verdict::hit && !root)
+    return "no root, reported as a hit";
+  if (root && root->hi < mpq_class(h.t_near))
     return "a root before the enclosure";
-  if (any && !within)
+  if (root && mpq_class(h.t_far) < root->lo)
     return "the first root is after the enclosure";
   return "";
 }

@@ -3,6 +3,7 @@
 #include "surface_scenes.hpp"
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <gmpxx.h>
 #include <graze/octree/inclusion.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <limits>

@@ -1,45 +1,21 @@
 // Pictures against exact roots along each pixel's ray.
+#include "../support/exact_roots.hpp"
 #include <catch2/catch.hpp>
-#include <graze/octree/surfaces.hpp>
-#include <graze/oracle/polynomial.hpp>
-#include <graze/oracle/rational.hpp>
-#include <graze/oracle/roots.hpp>
 #include <graze/render/render.hpp>
-#include <optional>
-#include <vector>
 
 using namespace graze;
 using namespace graze::render;
 
 namespace {
 
-/// The surface's polynomials along the ray; the surface is where one of them is 0.
-std::vector<oracle::polynomial> along(const std::string& name, const octree::ray& r) {
-  const auto [x, y, z] = oracle::along(r.origin(), r.direction());
-  if (name == "quartdef")
-    return {octree::quartdef{}(x, y, z)};
-  if (name == "tanglecube")
-    return {octree::tanglecube{}(x, y, z)};
-  if (name == "holesrot")
-    return {octree::holesrot{}(x, y, z)};
-  std::vector<oracle::polynomial> parts;
-  for (const auto& sphere : octree::spheres::parts)
-    parts.push_back(octree::spheres::part(sphere, x, y, z));
-  return parts;
-}
-
-/// The first root of the surface on the ray within the domain, to 2^-100.
 std::optional<oracle::root> first(const scene& s, const octree::ray& r) {
-  const auto range =
-      oracle::rational::range_in(r.origin(), r.direction(), s.domain.lo, s.domain.hi);
-  std::optional<oracle::root> least;
-  if (!range)
-    return least;
-  for (const auto& g : along(s.name, r))
-    if (const auto root = oracle::first_root(g, range->first, range->second, 100))
-      if (!least || root->lo < least->lo)
-        least = root;
-  return least;
+  if (s.name == "spheres")
+    return support::first_root(octree::spheres{}, r, s.domain);
+  if (s.name == "quartdef")
+    return support::first_root(octree::quartdef{}, r, s.domain);
+  if (s.name == "tanglecube")
+    return support::first_root(octree::tanglecube{}, r, s.domain);
+  return support::first_root(octree::holesrot{}, r, s.domain);
 }
 
 } // namespace

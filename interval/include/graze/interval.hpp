@@ -34,6 +34,17 @@ using boost::numeric::width;
 
 template <Policies P> using interval_of = boost::numeric::interval<double, P>;
 
+// Sums need no test for empty operands, which Boost's own make: a NaN reaches a bound, and where
+// infinities of the empty [inf, inf] go, no non-empty set comes out.
+template <Policies P> interval_of<P> operator+(const interval_of<P>& x, const interval_of<P>& y) {
+  [[maybe_unused]] typename P::rounding rnd;
+  return interval_of<P>(rnd.add_down(x.lower(), y.lower()), rnd.add_up(x.upper(), y.upper()), true);
+}
+template <Policies P> interval_of<P> operator-(const interval_of<P>& x, const interval_of<P>& y) {
+  [[maybe_unused]] typename P::rounding rnd;
+  return interval_of<P>(rnd.sub_down(x.lower(), y.upper()), rnd.sub_up(x.upper(), y.lower()), true);
+}
+
 // Mixed operations: a number stands for the interval that holds it alone, so that NaN and
 // infinities, which are no real numbers, give the empty set. (Boost multiplies by infinity as if it
 // were a number: inf * [-1, 1] would be entire, inf * [0, 1] a NaN.)
@@ -64,9 +75,10 @@ template <Policies P> interval_of<P> operator*(const interval_of<P>& x, const do
   return y * x;
 }
 
+namespace detail {
 /// Encloses { a / b : a in x, b in y, b != 0 }; empty for y = [0, 0]. Where y reaches 0 from one
 /// side and x ends at 0, Boost's own operator gives entire: [-1, 0] / [0, 1] is [-inf, 0].
-template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const interval_of<P>& y) {
+template <Policies P> interval_of<P> divide(const interval_of<P>& x, const interval_of<P>& y) {
   using I = interval_of<P>;
   if (empty(x) || empty(y))
     return I::empty();
@@ -91,6 +103,11 @@ template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const in
   if (b <= 0)
     return I(rnd.div_down(b, c), d == 0 ? infinity : rnd.div_up(a, d), true);
   return d == 0 ? I::whole() : I(rnd.div_down(b, d), rnd.div_up(a, d), true);
+}
+} // namespace detail
+
+template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const interval_of<P>& y) {
+  return detail::divide(x, y);
 }
 template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const double& y) {
   return x / interval_of<P>(y);
@@ -152,9 +169,9 @@ template <Policies P> double width(const interval_of<P>& x) {
   typename P::rounding rnd;
   return rnd.sub_up(x.upper(), x.lower());
 }
-/// max { |t| : t in x }, exact; NaN for the empty set.
+/// max { |t| : t in x }, exact, never -0; NaN for the empty set.
 template <Policies P> double mag(const interval_of<P>& x) {
-  return empty(x) ? checking::nan() : std::max(-x.lower(), x.upper());
+  return empty(x) ? checking::nan() : std::max({0.0, -x.lower(), x.upper()});
 }
 /// A finite double in x, near the middle; NaN for the empty set.
 template <Policies P> double mid(const interval_of<P>& x) {
@@ -162,3 +179,7 @@ template <Policies P> double mid(const interval_of<P>& x) {
 }
 
 } // namespace graze
+
+#if defined(__x86_64__)
+#include <graze/packed_arithmetic.hpp>
+#endif

@@ -30,23 +30,26 @@ struct checking {
 /// The Rounding concept of Boost.Interval on a backend: the object is the scope, its members are
 /// the operations. Source: Boost.Interval, "Rounding policies".
 template <rounding::Backend B> struct boost_rounding : private B::scope {
+  using backend = B;
   /// For code that holds a `boost_rounding<B>` (or a scope of B) already.
   using unprotected_rounding = boost_rounding<rounding::held<B>>;
 
-  static double add_down(double x, double y) { return B::add_down(x, y); }
-  static double add_up(double x, double y) { return B::add_up(x, y); }
-  static double sub_down(double x, double y) { return B::sub_down(x, y); }
-  static double sub_up(double x, double y) { return B::sub_up(x, y); }
-  static double mul_down(double x, double y) { return B::mul_down(x, y); }
-  static double mul_up(double x, double y) { return B::mul_up(x, y); }
-  static double div_down(double x, double y) { return B::div_down(x, y); }
-  static double div_up(double x, double y) { return B::div_up(x, y); }
-  static double sqrt_down(double x) { return B::sqrt_down(x); }
-  static double sqrt_up(double x) { return B::sqrt_up(x); }
+  // references: see split, which loads from memory
+  static double add_down(const double& x, const double& y) { return B::add_down(x, y); }
+  static double add_up(const double& x, const double& y) { return B::add_up(x, y); }
+  static double sub_down(const double& x, const double& y) { return B::sub_down(x, y); }
+  static double sub_up(const double& x, const double& y) { return B::sub_up(x, y); }
+  static double mul_down(const double& x, const double& y) { return B::mul_down(x, y); }
+  static double mul_up(const double& x, const double& y) { return B::mul_up(x, y); }
+  static double div_down(const double& x, const double& y) { return B::div_down(x, y); }
+  static double div_up(const double& x, const double& y) { return B::div_up(x, y); }
+  static double sqrt_down(const double& x) { return B::sqrt_down(x); }
+  static double sqrt_up(const double& x) { return B::sqrt_up(x); }
 
   static double int_down(double x) { return std::floor(x); }
   static double int_up(double x) { return std::ceil(x); }
-  /// A double within [x, y], near the middle in any rounding mode. Bounds finite or not.
+  /// (x + y) / 2 in the rounding mode in force, within [x, y] and never -0; 0 for [-inf, inf], the
+  /// last finite double for half-lines.
   static double median(double x, double y) {
     constexpr double largest = std::numeric_limits<double>::max();
     if (x == -checking::infinity && y == checking::infinity)
@@ -55,8 +58,12 @@ template <rounding::Backend B> struct boost_rounding : private B::scope {
       return -largest;
     if (y == checking::infinity)
       return largest;
-    double middle = x / 2 + y / 2; // halves cannot overflow; they can round out of [x, y]
-    return middle < x ? x : (y < middle ? y : middle);
+    // Half of a sum is rounded once: it is exact where it is normal, and a smaller sum is exact
+    // itself. Where the sum might overflow, halves do not and are exact.
+    double middle = x / 2 + y / 2;
+    if (-0x1p1022 <= middle && middle <= 0x1p1022)
+      middle = (x + y) / 2;
+    return middle == 0 ? 0 : middle;
   }
 
   /// The greatest double <= v and the least double >= v, for any built-in number, in any mode.

@@ -34,6 +34,7 @@ struct atan {
 struct atan2 {
   static bounds value(bounds y, bounds x);
   static decoration local(bounds y, bounds x);
+  static bool continuous_around(bounds y, bounds x); ///< not on the negative x axis
 };
 
 } // namespace functions

@@ -1,6 +1,12 @@
 #pragma once
 /// One floating-point instruction in the mode in force, and scopes that set the mode. Shared by the
 /// backends that need a mode; nothing here is known to the optimizer.
+///
+/// What keeps an operation within its scope is a dependency, not a volatile statement: every asm
+/// statement that computes or pins names `control_words` as an input in memory, every one that sets
+/// a mode names it as input and output. A compiler may therefore move, merge and drop operations
+/// between two changes of mode, as it does with any arithmetic, and never across one, nor across a
+/// call of code that it does not see.
 #include <graze/rounding/backend.hpp>
 
 #if !defined(__x86_64__)
@@ -14,16 +20,21 @@
 
 namespace graze::rounding::hardware {
 
+/// Stands for the processor's control words in the dependencies above. No instruction reads or
+/// writes it, so that threads share nothing. `used`: a linker that sees the whole program may not
+/// take it for a constant, nor for a variable that other code cannot change. `hidden`: its address
+/// needs no instruction in a shared library.
+[[gnu::used, gnu::visibility("hidden")]] inline char control_words = 0;
+
 /// Hides a value from the optimizer: what is computed from it is not folded, not contracted into a
-/// fused operation with what made it, and not moved across a change of mode (volatile asm
-/// statements keep their order; see NUMERICS, "Compilers and modes").
+/// fused operation with what made it, and not moved across a change of mode.
 inline __attribute__((always_inline)) void pin(double& x) {
 #if defined(__x86_64__)
-  asm volatile("" : "+x"(x));
+  asm("" : "+x"(x) : "m"(control_words));
 #elif defined(__aarch64__)
-  asm volatile("" : "+w"(x));
+  asm("" : "+w"(x) : "m"(control_words));
 #else
-  asm volatile("" : "+m"(x));
+  asm("" : "+m"(x) : "m"(control_words));
 #endif
 }
 
@@ -34,7 +45,9 @@ inline unsigned mxcsr() {
   asm volatile("stmxcsr %0" : "=m"(value));
   return value;
 }
-inline void set_mxcsr(unsigned value) { asm volatile("ldmxcsr %0" : : "m"(value) : "memory"); }
+inline void set_mxcsr(unsigned value) {
+  asm volatile("ldmxcsr %1" : "+m"(control_words) : "m"(value) : "memory");
+}
 
 inline unsigned short x87_control() {
   unsigned short value;
@@ -42,7 +55,7 @@ inline unsigned short x87_control() {
   return value;
 }
 inline void set_x87_control(unsigned short value) {
-  asm volatile("fldcw %0" : : "m"(value) : "memory");
+  asm volatile("fldcw %1" : "+m"(control_words) : "m"(value) : "memory");
 }
 
 inline constexpr unsigned mxcsr_rounding = 0x6000;       ///< RC: 0 nearest, 0x2000 down, 0x4000 up
@@ -69,11 +82,11 @@ private:
 // The VEX form under AVX: legacy SSE instructions between VEX ones cost a state transition.
 #if defined(__AVX__)
 #define GRAZE_SSE_BINARY(instruction)                                                              \
-  asm volatile("v" instruction " %2, %1, %0" : "=x"(x) : "x"(x), "x"(y));                          \
+  asm("v" instruction " %2, %1, %0" : "=x"(x) : "x"(x), "x"(y), "m"(control_words));               \
   return x
 #else
 #define GRAZE_SSE_BINARY(instruction)                                                              \
-  asm volatile(instruction " %1, %0" : "+x"(x) : "x"(y));                                          \
+  asm(instruction " %1, %0" : "+x"(x) : "x"(y), "m"(control_words));                               \
   return x
 #endif
 inline double add(double x, double y) { GRAZE_SSE_BINARY("addsd"); }
@@ -83,9 +96,9 @@ inline double div(double x, double y) { GRAZE_SSE_BINARY("divsd"); }
 #undef GRAZE_SSE_BINARY
 inline double sqrt(double x) {
 #if defined(__AVX__)
-  asm volatile("vsqrtsd %1, %1, %0" : "=x"(x) : "x"(x));
+  asm("vsqrtsd %1, %1, %0" : "=x"(x) : "x"(x), "m"(control_words));
 #else
-  asm volatile("sqrtsd %0, %0" : "+x"(x));
+  asm("sqrtsd %0, %0" : "+x"(x) : "m"(control_words));
 #endif
   return x;
 }
@@ -100,8 +113,12 @@ public:
     std::fegetenv(&found_);
     std::fesetenv(FE_DFL_ENV);
     std::fesetround(static_cast<int>(m));
+    asm volatile("" : "+m"(control_words) : : "memory");
   }
-  ~mode_scope() { std::fesetenv(&found_); }
+  ~mode_scope() {
+    asm volatile("" : "+m"(control_words) : : "memory");
+    std::fesetenv(&found_);
+  }
   mode_scope(const mode_scope&) = delete;
   mode_scope& operator=(const mode_scope&) = delete;
 

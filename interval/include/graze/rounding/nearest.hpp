@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <graze/rounding/exact.hpp>
 #include <graze/rounding/hardware.hpp>
+#if defined(__x86_64__)
+#include <graze/rounding/packed_nearest.hpp>
+#endif
 #include <limits>
 #include <type_traits>
 
@@ -22,6 +25,10 @@ struct nearest {
   struct scope {
     scope() {}
   };
+
+#if defined(__x86_64__)
+  using pair_operations = packed::emulated_up;
+#endif
 
   static constexpr double add_up(double x, double y) {
     if (std::is_constant_evaluated())

@@ -20,11 +20,11 @@ namespace detail {
     unsigned rest[5];
   } environment;
   constexpr unsigned exceptions = 0xff; // six exceptions, stack fault, summary
-  asm volatile("fnstenv %0" : "=m"(environment));
+  asm volatile("fnstenv %0" : "=m"(environment) : : "memory");
   environment.control = control;
   environment.status =
       static_cast<unsigned short>((environment.status & ~exceptions) | (flags & exceptions));
-  asm volatile("fldenv %0" : : "m"(environment) : "memory");
+  asm volatile("fldenv %1" : "+m"(hardware::control_words) : "m"(environment) : "memory");
 }
 
 } // namespace detail
@@ -68,22 +68,27 @@ struct split {
   // Every result goes through a double in memory: the x87's registers have 15 bits of exponent, so
   // that (2^-600 * 1.5 * 2^-500) * 2^80 kept in one would not be what double arithmetic gives. The
   // store rounds a second time, up again and onto a coarser grid, which changes nothing:
-  // RU_double(RU_x87(t)) = RU_double(t). The clobbers make the compiler leave the stack free.
+  // RU_double(RU_x87(t)) = RU_double(t). Operands are references since the x87 loads from memory: a
+  // parameter by value would be copied to the stack first. The clobbers make the compiler leave the
+  // stack free.
 #define GRAZE_X87_CLOBBERS "st", "st(1)", "st(2)", "st(3)", "st(4)", "st(5)", "st(6)", "st(7)"
 #define GRAZE_X87_BINARY(instruction)                                                              \
   double result;                                                                                   \
-  asm volatile("fldl %1\n\t" instruction " %2\n\tfstpl %0"                                         \
-               : "=m"(result)                                                                      \
-               : "m"(x), "m"(y)                                                                    \
-               : GRAZE_X87_CLOBBERS);                                                              \
+  asm("fldl %1\n\t" instruction " %2\n\tfstpl %0"                                                  \
+      : "=m"(result)                                                                               \
+      : "m"(x), "m"(y), "m"(hardware::control_words)                                               \
+      : GRAZE_X87_CLOBBERS);                                                                       \
   return result
-  static double add_up(double x, double y) { GRAZE_X87_BINARY("faddl"); }
-  static double sub_up(double x, double y) { GRAZE_X87_BINARY("fsubl"); }
-  static double mul_up(double x, double y) { GRAZE_X87_BINARY("fmull"); }
-  static double div_up(double x, double y) { GRAZE_X87_BINARY("fdivl"); }
-  static double sqrt_up(double x) {
+  static double add_up(const double& x, const double& y) { GRAZE_X87_BINARY("faddl"); }
+  static double sub_up(const double& x, const double& y) { GRAZE_X87_BINARY("fsubl"); }
+  static double mul_up(const double& x, const double& y) { GRAZE_X87_BINARY("fmull"); }
+  static double div_up(const double& x, const double& y) { GRAZE_X87_BINARY("fdivl"); }
+  static double sqrt_up(const double& x) {
     double result;
-    asm volatile("fldl %1\n\tfsqrt\n\tfstpl %0" : "=m"(result) : "m"(x) : GRAZE_X87_CLOBBERS);
+    asm("fldl %1\n\tfsqrt\n\tfstpl %0"
+        : "=m"(result)
+        : "m"(x), "m"(hardware::control_words)
+        : GRAZE_X87_CLOBBERS);
     return result;
   }
 #undef GRAZE_X87_BINARY

@@ -3,6 +3,9 @@
 #include <bit>
 #include <cstdint>
 #include <graze/rounding/hardware.hpp>
+#if defined(__x86_64__)
+#include <graze/rounding/packed.hpp>
+#endif
 
 namespace graze::rounding {
 
@@ -15,6 +18,10 @@ struct upward {
   public:
     scope() : mode_scope(hardware::mode::up) {}
   };
+
+#if defined(__x86_64__)
+  using pair_operations = packed::hardware_up;
+#endif
 
   static double add_up(double x, double y) { return hardware::add(x, y); }
   static double sub_up(double x, double y) { return hardware::sub(x, y); }

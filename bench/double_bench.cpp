@@ -1,0 +1,39 @@
+// Plain double and the C library's functions, not vectorised: what the others are measured in.
+#include <cmath>
+
+namespace graze::bench {
+using std::atan, std::atan2, std::cos, std::exp, std::log, std::sin, std::sqrt, std::tan;
+static double square(double x) { return x * x; }
+static double pown(double x, int n) { return std::pow(x, n); }
+} // namespace graze::bench
+#include "measure.hpp"
+
+namespace graze::bench {
+
+namespace {
+struct plain {
+  static constexpr const char* name = "double";
+  using number = double;
+  struct scope {
+    scope() {}
+  };
+  static void assign(double& x, const ends& e) { x = e.lower; }
+};
+} // namespace
+
+void measure_double() {
+  using L = plain;
+  GRAZE_MEASURE("add", operands::mixed, x + y);
+  GRAZE_MEASURE("sub", operands::mixed, x - y);
+  GRAZE_MEASURE("mul", operands::mixed, x * y);
+  GRAZE_MEASURE("div", operands::mixed, x / y);
+  GRAZE_MEASURE("sqrt", operands::positive, sqrt(x));
+  GRAZE_MEASURE("sqr", operands::mixed, square(x));
+  measure<L>("polynomial", operands::mixed, [](double& r, double x, double y, double z) {
+    const double p = x * x, q = y * y, s = z * z;
+    r = p * p - 5 * p + q * q - 5 * q + s * s - 5 * s + 11.8;
+  });
+  measure_functions<L>();
+}
+
+} // namespace graze::bench

@@ -1,0 +1,83 @@
+// interval_bench: ns an operation of graze::interval and of its peers, and as a multiple of plain
+// double or of the C library's function. Options are Google Benchmark's; the table at the end holds
+// medians where --benchmark_repetitions is given.
+#include "measure.hpp"
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+class table : public benchmark::ConsoleReporter {
+public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration)
+        continue;
+      const std::string name = run.benchmark_name();
+      const std::size_t slash = name.find('/');
+      const std::string operation = name.substr(0, slash), rest = name.substr(slash + 1);
+      const std::string library = rest.substr(0, rest.find('/'));
+      remember(operations_, operation), remember(libraries_, library);
+      times_[{operation, library}].push_back(run.GetAdjustedCPUTime() / graze::bench::size);
+    }
+  }
+  void Finalize() override {
+    std::printf("\nns an operation (multiple of double's), median\n%-12s", "");
+    for (const std::string& l : libraries_)
+      std::printf(" %19s", l.c_str());
+    std::printf("\n");
+    for (const std::string& o : operations_) {
+      std::printf("%-12s", o.c_str());
+      const double one = median(o, "double");
+      for (const std::string& l : libraries_)
+        if (const double t = median(o, l); t > 0)
+          std::printf("   %8.2f (%6.1f)", t, one > 0 ? t / one : 0);
+        else
+          std::printf(" %19s", "-");
+      std::printf("\n");
+    }
+  }
+
+private:
+  static void remember(std::vector<std::string>& all, const std::string& name) {
+    if (std::find(all.begin(), all.end(), name) == all.end())
+      all.push_back(name);
+  }
+  double median(const std::string& operation, const std::string& library) {
+    std::vector<double>& t = times_[{operation, library}];
+    if (t.empty())
+      return 0;
+    std::sort(t.begin(), t.end());
+    return t[t.size() / 2];
+  }
+  std::vector<std::string> operations_, libraries_;
+  std::map<std::pair<std::string, std::string>, std::vector<double>> times_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+    return 2;
+  using namespace graze::bench;
+  measure_double();
+  measure_graze();
+  measure_boost();
+#if defined(GRAZE_BENCH_CGAL)
+  measure_cgal();
+#endif
+#if defined(GRAZE_BENCH_MPFI)
+  measure_mpfi();
+#endif
+#if defined(GRAZE_BENCH_ARB)
+  measure_arb();
+#endif
+  std::printf("peers left out at configure time:%s\n", GRAZE_BENCH_MISSING);
+  table reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  return 0;
+}

@@ -1,0 +1,63 @@
+// MPFI with 53 bits; results go to numbers that exist.
+#include <mpfi.h>
+
+#include "measure.hpp"
+
+namespace graze::bench {
+
+namespace {
+struct mpfi_number {
+  mpfi_t value;
+  mpfi_number() { mpfi_init2(value, 53); }
+  ~mpfi_number() { mpfi_clear(value); }
+  mpfi_number(const mpfi_number&) = delete;
+  mpfi_number& operator=(const mpfi_number&) = delete;
+};
+struct library {
+  static constexpr const char* name = "MPFI";
+  using number = mpfi_number;
+  struct scope {
+    scope() {}
+  };
+  static void assign(number& x, const ends& e) { mpfi_interv_d(x.value, e.lower, e.upper); }
+};
+using N = mpfi_number;
+} // namespace
+
+void measure_mpfi() {
+  const auto unary = [](const char* name, operands kind, auto f) {
+    measure<library>(name, kind,
+                     [f](N& r, const N& x, const N&, const N&) { f(r.value, x.value); });
+  };
+  const auto binary = [](const char* name, operands kind, auto f) {
+    measure<library>(name, kind,
+                     [f](N& r, const N& x, const N& y, const N&) { f(r.value, x.value, y.value); });
+  };
+  binary("add", operands::mixed, mpfi_add);
+  binary("sub", operands::mixed, mpfi_sub);
+  binary("mul", operands::mixed, mpfi_mul);
+  binary("div", operands::mixed, mpfi_div);
+  unary("sqrt", operands::positive, mpfi_sqrt);
+  unary("sqr", operands::mixed, mpfi_sqr);
+  measure<library>("polynomial", operands::mixed, [](N& r, const N& x, const N& y, const N& z) {
+    static N t, c;
+    mpfi_interv_d(c.value, 0x1.bccccccccccccp+2, 0x1.bcccccccccccdp+2);
+    mpfi_set_si(r.value, 0);
+    for (const N* v : {&x, &y, &z}) {
+      mpfi_sqr(t.value, v->value);
+      mpfi_sub_d(t.value, t.value, 2.5);
+      mpfi_sqr(t.value, t.value);
+      mpfi_add(r.value, r.value, t.value);
+    }
+    mpfi_sub(r.value, r.value, c.value);
+  });
+  unary("exp", operands::narrow, mpfi_exp);
+  unary("log", operands::positive_narrow, mpfi_log);
+  unary("sin", operands::narrow, mpfi_sin);
+  unary("cos", operands::narrow, mpfi_cos);
+  unary("tan", operands::narrow, mpfi_tan);
+  unary("atan", operands::narrow, mpfi_atan);
+  binary("atan2", operands::narrow, mpfi_atan2);
+}
+
+} // namespace graze::bench

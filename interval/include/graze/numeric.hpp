@@ -1,0 +1,69 @@
+#pragma once
+/// Numbers that describe an interval: inf sup mid rad mid_rad wid mag mig of IEEE 1788.1, for
+/// bounds, intervals and decorated intervals. Of the empty set (inf and sup apart) and of NaI they
+/// are NaN. Inlined anywhere; the mode in force must be to-nearest.
+#include <algorithm>
+#include <graze/bounds.hpp>
+#include <graze/decorated_bounds.hpp>
+#include <graze/rounding/nearest.hpp>
+
+namespace graze {
+
+struct centre {
+  double mid, rad;
+};
+
+/// The greatest lower bound; a zero is -0, of the empty set +inf. Exact.
+constexpr double inf(const bounds& x) {
+  return x.is_empty() ? checking::infinity : x.lo == 0 ? -0.0 : x.lo;
+}
+/// The least upper bound; a zero is +0, of the empty set -inf. Exact.
+constexpr double sup(const bounds& x) {
+  return x.is_empty() ? -checking::infinity : x.hi == 0 ? 0.0 : x.hi;
+}
+/// (lo + hi) / 2 rounded to nearest; of [-inf, inf] 0, of half-lines the last finite double. Always
+/// in x, never -0.
+inline double mid(const bounds& x) {
+  return x.is_empty() ? checking::nan() : boost_rounding<rounding::nearest>::median(x.lo, x.hi);
+}
+/// The least double r such that [m - r, m + r] holds x, for m = mid(x).
+inline double rad(const bounds& x) {
+  if (x.is_empty())
+    return checking::nan();
+  const double m = mid(x);
+  return std::max(rounding::nearest::sub_up(m, x.lo), rounding::nearest::sub_up(x.hi, m));
+}
+/// mid and rad, which belong together.
+inline centre mid_rad(const bounds& x) { return {mid(x), rad(x)}; }
+/// The least double >= hi - lo.
+inline double wid(const bounds& x) {
+  return x.is_empty() ? checking::nan() : rounding::nearest::sub_up(x.hi, x.lo);
+}
+/// max { |t| : t in x }. Exact.
+constexpr double mag(const bounds& x) {
+  return x.is_empty() ? checking::nan() : std::max({0.0, -x.lo, x.hi});
+}
+/// min { |t| : t in x }. Exact.
+constexpr double mig(const bounds& x) {
+  return x.is_empty() ? checking::nan() : std::max({0.0, x.lo, -x.hi});
+}
+
+// mid and mag of intervals are in graze/interval.hpp.
+template <Policies P> double inf(const interval_of<P>& x) { return inf(to_bounds(x)); }
+template <Policies P> double sup(const interval_of<P>& x) { return sup(to_bounds(x)); }
+template <Policies P> double rad(const interval_of<P>& x) { return rad(to_bounds(x)); }
+template <Policies P> centre mid_rad(const interval_of<P>& x) { return mid_rad(to_bounds(x)); }
+template <Policies P> double wid(const interval_of<P>& x) { return wid(to_bounds(x)); }
+template <Policies P> double mig(const interval_of<P>& x) { return mig(to_bounds(x)); }
+
+inline double inf(const decorated_bounds& x) { return x.is_nai() ? checking::nan() : inf(x.part); }
+inline double sup(const decorated_bounds& x) { return x.is_nai() ? checking::nan() : sup(x.part); }
+// NaI's part is empty
+inline double mid(const decorated_bounds& x) { return mid(x.part); }
+inline double rad(const decorated_bounds& x) { return rad(x.part); }
+inline centre mid_rad(const decorated_bounds& x) { return mid_rad(x.part); }
+inline double wid(const decorated_bounds& x) { return wid(x.part); }
+inline double mag(const decorated_bounds& x) { return mag(x.part); }
+inline double mig(const decorated_bounds& x) { return mig(x.part); }
+
+} // namespace graze

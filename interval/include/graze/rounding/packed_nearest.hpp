@@ -1,0 +1,152 @@
+#pragma once
+/// Rounding up of two doubles at once in the mode to-nearest: the sign of each rounded operation's
+/// exact error tells whether the next double is the bound. x86-64 only.
+#include <graze/rounding/packed.hpp>
+#if defined(__FMA__) || defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
+namespace graze::rounding::packed {
+
+/// As `nearest`: operands and results are pinned. Where it is not right on every operand, the
+/// ranges say where it is; `nearest` serves the rest.
+struct emulated_up {
+  static GRAZE_INLINE result add(pair x, pair y) {
+#if defined(__AVX512F__)
+    return {embedded_add(x, y), bits{-1, -1}};
+#else
+    pin(x), pin(y);
+    // Knuth's TwoSum: sum + error = x + y exactly unless something overflows, which reaches `error`
+    // as an infinity or NaN.
+    const pair s = x + y;
+    const pair y_part = s - x;
+    const pair error = (x - (s - y_part)) + (y - y_part);
+    const pair r = up_where(error, s);
+    return {r, (bits)_mm_cmpeq_pd(error - error, both(0))};
+#endif
+  }
+
+  /// (x0 - y0, x1 + y1)
+  static GRAZE_INLINE result sub_add(pair x, pair y) { return add(x, flip_first(y)); }
+
+  static GRAZE_INLINE pair mul(pair x, pair y) {
+#if defined(__AVX512F__)
+    return embedded_mul(x, y);
+#else
+    pin(x), pin(y);
+    const pair p = times(x, y);
+    return up_where(product_error(x, y, p), p);
+#endif
+  }
+
+  /// For y >= 0.
+  static GRAZE_INLINE pair div(pair x, pair y) {
+    pin(x), pin(y);
+    pair q = x / y;
+    pin(q);
+    return up_where(remainder(x, q, y), q);
+  }
+
+  /// (RD(sqrt x0), RU(sqrt x1))
+  static GRAZE_INLINE pair sqrt_outward(pair x) {
+    pin(x);
+    pair root = _mm_sqrt_pd(x);
+    pin(root);
+    const pair error = remainder(x, root, root);
+    const bits down = (bits)_mm_cmplt_pd(error, both(0)) & bits{-1, 0};
+    const bits up = (bits)_mm_cmpgt_pd(error, both(0)) & bits{0, -1};
+    // a root with an error is positive and normal
+    pair r = (pair)((bits)root + down - up);
+    pin(r);
+    return r;
+  }
+
+  // Let every operand be 0 or of a magnitude from 2^-480 to 2^500. Then products and quotients are
+  // 0 or lie between 2^-980 and 2^1000, an error is a multiple of 2^-1064 or more, and Veltkamp's
+  // factor 2^27 + 1 overflows nowhere: every step of the errors below is exact.
+  static GRAZE_INLINE bits mul_range([[maybe_unused]] pair x) {
+#if defined(__AVX512F__)
+    return bits{-1, -1};
+#else
+    return div_range(x);
+#endif
+  }
+  static GRAZE_INLINE bits div_range(pair x) {
+    const pair size = magnitude(x);
+    return ((bits)_mm_cmple_pd(size, both(0x1p500)) & (bits)_mm_cmple_pd(both(0x1p-480), size)) |
+           (bits)_mm_cmpeq_pd(x, both(0));
+  }
+  /// The root of a negative number is a NaN, which is right.
+  static GRAZE_INLINE bits sqrt_range(pair x) {
+    return ((bits)_mm_cmple_pd(x, both(0x1p500)) & (bits)_mm_cmple_pd(both(0x1p-480), x)) |
+           (bits)_mm_cmple_pd(x, both(0));
+  }
+
+private:
+  static GRAZE_INLINE void pin(pair& x) { asm("" : "+x"(x) : "m"(hardware::control_words)); }
+  /// Never contracted into a sum.
+  static GRAZE_INLINE pair times(pair x, pair y) {
+    pair p = x * y;
+    pin(p);
+    return p;
+  }
+
+  /// The double above r where error > 0; pinned. A zero r with an error has its sign.
+  static GRAZE_INLINE pair up_where(pair error, pair r) {
+    const bits step = (bits)_mm_cmplt_pd(r, both(0)) | bits{1, 1}; // -1 for r < 0: as integers
+    const bits moves = (bits)_mm_cmpgt_pd(error, both(0));
+    pair up = (pair)((bits)r + (moves & step));
+    pin(up);
+    return up;
+  }
+
+  /// x y - p, where p is x y rounded to nearest.
+  static GRAZE_INLINE pair product_error(pair x, pair y, pair p) {
+#if defined(__FMA__)
+    return _mm_fmsub_pd(x, y, p);
+#else
+    const halves a = x, b = y; // Dekker
+    return ((times(a.high, b.high) - p) + times(a.high, b.low) + times(a.low, b.high)) +
+           times(a.low, b.low);
+#endif
+  }
+  /// x - q y, which is a double where q is x / y rounded to nearest, or q = y the root of x.
+  static GRAZE_INLINE pair remainder(pair x, pair q, pair y) {
+#if defined(__FMA__)
+    return _mm_fnmadd_pd(q, y, x);
+#else
+    const pair p = times(q, y);
+    return (x - p) - product_error(q, y, p);
+#endif
+  }
+
+  /// Veltkamp: x = high + low, of 26 bits each.
+  struct halves {
+    pair high, low;
+    GRAZE_INLINE halves(pair x) {
+      const pair shifted = times(both(0x1.0000002p+27), x);
+      high = shifted - (shifted - x);
+      low = x - high;
+    }
+  };
+
+#if defined(__AVX512F__)
+  // The instruction carries its rounding; it exists for whole 512-bit registers.
+  static GRAZE_INLINE pair embedded_add(pair x, pair y) {
+    pair r;
+    asm("vaddpd %{ru-sae%}, %g2, %g1, %g0"
+        : "=x"(r)
+        : "x"(x), "x"(y), "m"(hardware::control_words));
+    return r;
+  }
+  static GRAZE_INLINE pair embedded_mul(pair x, pair y) {
+    pair r;
+    asm("vmulpd %{ru-sae%}, %g2, %g1, %g0"
+        : "=x"(r)
+        : "x"(x), "x"(y), "m"(hardware::control_words));
+    return r;
+  }
+#endif
+};
+
+} // namespace graze::rounding::packed
