@@ -92,16 +92,11 @@ TEST_CASE("interval.points: values that are nearly doubles", "[property][mpfr][h
 }
 
 #if defined(__x86_64__)
+// clang-format off
 #define GRAZE_UNARY_FUNCTIONS(X)                                                                   \
-  X(exp)                                                                                           \
-  X(exp2)                                                                                          \
-  X(exp10)                                                                                         \
-  X(expm1)                                                                                         \
-  X(log)                                                                                           \
-  X(log2)                                                                                          \
-  X(log10)                                                                                         \
-  X(log1p) X(sin) X(cos) X(tan) X(asin) X(acos) X(atan) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh)  \
-      X(atanh) X(cbrt)
+  X(exp) X(exp2) X(exp10) X(expm1) X(log) X(log2) X(log10) X(log1p) X(sin) X(cos) X(tan) X(asin)   \
+  X(acos) X(atan) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(cbrt)
+// clang-format on
 #define GRAZE_BINARY_FUNCTIONS(X) X(atan2) X(hypot) X(pow)
 extern "C" {
 #define GRAZE_DECLARE(name) double graze_cr_##name(double), graze_cr_##name##_fma(double);

@@ -7,17 +7,11 @@
 #include <graze/rounding/hardware.hpp>
 #include <limits>
 
+// clang-format off
 #define GRAZE_UNARY_FUNCTIONS(X)                                                                   \
-  X(exp)                                                                                           \
-  X(exp2)                                                                                          \
-  X(exp10)                                                                                         \
-  X(expm1)                                                                                         \
-  X(log)                                                                                           \
-  X(log2)                                                                                          \
-  X(log10)                                                                                         \
-  X(log1p)                                                                                         \
-  X(sin) X(cos) X(tan) X(asin) X(acos) X(atan) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh)  \
-      X(cbrt)
+  X(exp) X(exp2) X(exp10) X(expm1) X(log) X(log2) X(log10) X(log1p) X(sin) X(cos) X(tan) X(asin)   \
+  X(acos) X(atan) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(cbrt)
+// clang-format on
 #define GRAZE_BINARY_FUNCTIONS(X) X(atan2) X(hypot) X(pow)
 
 extern "C" {
