@@ -8,12 +8,12 @@ graze_packages=(
 )
 
 # Cargo fetches the pinned sources of CORE-MATH and CRlibm. Debian's own cargo (1.65) is too old for
-# the registry's protocol (1.68); its package cargo-web is not.
+# the registry's protocol (1.68) and for the edition of the crates (1.85); its package cargo-web is not.
 graze_cargo_package() {
   local cargo
   cargo=$(command -v cargo || true)
   [[ -n $cargo || ! -x $HOME/.cargo/bin/cargo ]] || cargo=$HOME/.cargo/bin/cargo
-  [[ -n $cargo && $("$cargo" --version) =~ ^cargo\ 1\.([0-9]+) && ${BASH_REMATCH[1]} -ge 68 ]] ||
+  [[ -n $cargo && $("$cargo" --version) =~ ^cargo\ 1\.([0-9]+) && ${BASH_REMATCH[1]} -ge 85 ]] ||
     echo cargo-web
 }
 
