@@ -1,6 +1,7 @@
 // The directed point functions where correct rounding is hardest: arguments that CORE-MATH's
 // sources name (their tables of exceptional cases and their authors' special tests), and arguments
 // made here whose values are nearly doubles. And CORE-MATH compiled in two ways.
+#include "../../interval/src/elementary/core_math.hpp"
 #include "elementary_functions.hpp"
 #include "verdict.hpp"
 #include <cstdio>
@@ -92,21 +93,6 @@ TEST_CASE("interval.points: values that are nearly doubles", "[property][mpfr][h
 }
 
 #if defined(__x86_64__)
-// clang-format off
-#define GRAZE_UNARY_FUNCTIONS(X)                                                                   \
-  X(exp) X(exp2) X(exp10) X(expm1) X(log) X(log2) X(log10) X(log1p) X(sin) X(cos) X(tan) X(asin)   \
-  X(acos) X(atan) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(cbrt)
-// clang-format on
-#define GRAZE_BINARY_FUNCTIONS(X) X(atan2) X(hypot) X(pow)
-extern "C" {
-#define GRAZE_DECLARE(name) double graze_cr_##name(double), graze_cr_##name##_fma(double);
-GRAZE_UNARY_FUNCTIONS(GRAZE_DECLARE)
-#undef GRAZE_DECLARE
-#define GRAZE_DECLARE(name)                                                                        \
-  double graze_cr_##name(double, double), graze_cr_##name##_fma(double, double);
-GRAZE_BINARY_FUNCTIONS(GRAZE_DECLARE)
-#undef GRAZE_DECLARE
-}
 
 TEST_CASE("interval.core_math: with and without fused operations, the same bits in each mode",
           "[property]") {
