@@ -9,12 +9,30 @@
 #include <graze/policies.hpp>
 #include <graze/rounding/nearest.hpp>
 
+#if defined(__x86_64__)
+#include <graze/packed_interval.hpp>
+#endif
+
 namespace graze {
 
+namespace detail {
+template <class B> struct interval_policies {
+  using type = policies<B>;
+};
+#if defined(__x86_64__)
+template <class B>
+  requires PackedPolicies<policies<B>>
+struct interval_policies<B> {
+  using type = outward_policies<B>;
+};
+#endif
+} // namespace detail
+
 /// With the default backend every operation may be inlined anywhere and sets no mode. The others
-/// set and restore their mode in every operation; see `unprotected`.
+/// set and restore their mode in every operation; see `unprotected`. Boost's class with
+/// policies<B>, or with outward_policies<B> where B has instructions on pairs.
 template <rounding::Backend B = rounding::nearest>
-using interval = boost::numeric::interval<double, policies<B>>;
+using interval = boost::numeric::interval<double, typename detail::interval_policies<B>::type>;
 
 /// For inner loops: the operations assume that the caller holds a `typename B::scope`.
 template <rounding::Backend B> using unprotected = interval<rounding::held<B>>;
