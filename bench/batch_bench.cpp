@@ -24,7 +24,8 @@ struct arrays {
   operator batch::intervals() { return {lo, hi}; }
 };
 
-/// Ends uniform in [-1, 1], sorted: a third each of negative, positive and mixed intervals.
+/// Ends uniform in [-1, 1], sorted: a quarter each of negative and positive, half of mixed
+/// intervals.
 arrays random_arrays(unsigned seed, double least) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> end(least, 1);
