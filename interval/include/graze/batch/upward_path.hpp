@@ -38,6 +38,12 @@ template <class Registers> struct upward_path : Registers {
     const vector a = R::select(R::either_nan(p, p), q, p), b = R::select(R::either_nan(q, q), p, q);
     return R::bits_and(R::max_or_second(a, b), R::max_or_second(b, a));
   }
+  GRAZE_BATCH_OPERATION vector greater_magnitude(vector p, vector q) {
+    return R::max_or_second(R::abs(p), R::abs(q));
+  }
+  GRAZE_BATCH_OPERATION vector nan_for_zero(vector p) {
+    return R::select(R::equal(p, R::zero()), R::broadcast(__builtin_nan("")), p);
+  }
 #undef GRAZE_BATCH_OPERATION
 };
 
