@@ -76,10 +76,14 @@ struct avx512 {
   GRAZE_BATCH_OPERATION vector neg(vector x) { return _mm512_xor_pd(x, broadcast(-0.0)); }
   GRAZE_BATCH_OPERATION vector abs(vector x) { return _mm512_andnot_pd(broadcast(-0.0), x); }
 
-  /// A table of responses by class of the operand: the third, that of zeros, is 3, a quiet NaN; 0
-  /// keeps the operand. Needs no mask register.
+  // By a table of responses, four bits for each class of the operand: quiet and signalling NaN,
+  // zero, one, the infinities, negative, positive. 0 is the first vector here, 1 the operand, 3 a
+  // quiet NaN. No mask register is needed.
+  GRAZE_BATCH_OPERATION vector number_or(vector p, vector q) {
+    return _mm512_fixupimm_pd(q, p, _mm512_set1_epi64(0x11111100), 0);
+  }
   GRAZE_BATCH_OPERATION vector nan_for_zero(vector p) {
-    return _mm512_fixupimm_pd(p, p, _mm512_set1_epi64(0x300), 0);
+    return _mm512_fixupimm_pd(p, p, _mm512_set1_epi64(0x11111311), 0);
   }
 
   GRAZE_BATCH_OPERATION mask less(vector p, vector q) {

@@ -39,8 +39,9 @@ template <class P> struct formulas {
     const vector lo = P::min_number(P::mul_down(x.lo, e.down_lo), P::mul_down(x.hi, e.down_hi));
     const vector hi = P::max_number(P::mul_up(x.lo, e.up_lo), P::mul_up(x.hi, e.up_hi));
     const mask is_empty = P::either_nan(x.lo, y.lo);
-    return {P::select(P::but_not(P::either_nan(lo, lo), is_empty), P::zero(), lo),
-            P::select(P::but_not(P::either_nan(hi, hi), is_empty), P::zero(), hi)};
+    const vector nan = P::broadcast(__builtin_nan(""));
+    const vector instead = P::select(is_empty, nan, P::zero());
+    return {P::number_or(lo, instead), P::number_or(hi, instead)};
   }
 
   /// { s t + u : s in x, t in y, u in z }, rounded once.
@@ -54,8 +55,9 @@ template <class P> struct formulas {
         P::min_number(P::fma_down(x.lo, e.down_lo, z.lo), P::fma_down(x.hi, e.down_hi, z.lo));
     const vector hi = P::max_number(P::fma_up(x.lo, e.up_lo, z.hi), P::fma_up(x.hi, e.up_hi, z.hi));
     const mask is_empty = P::either_nan(x.lo, y.lo);
-    return {P::select(P::but_not(P::either_nan(lo, lo), is_empty), z.lo, lo),
-            P::select(P::but_not(P::either_nan(hi, hi), is_empty), z.hi, hi)};
+    const vector nan = P::broadcast(__builtin_nan(""));
+    return {P::number_or(lo, P::select(is_empty, nan, z.lo)),
+            P::number_or(hi, P::select(is_empty, nan, z.hi))};
   }
 
   /// { s / t : s in x, t in y, t != 0 }; empty for y = [0, 0].
