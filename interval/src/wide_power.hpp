@@ -108,9 +108,8 @@ template <int N> constexpr quick_power quick(std::uint64_t magnitude_bits) {
   const std::uint64_t s = magnitude_bits << 11 | rounding::exact::sign_bit;
   const uint128 p = unrolled_power<N>(s);
   const int zeros = std::countl_zero(high(p)); // at most N
-  // p << zeros, by halves: as one, compilers provide for 64 and more
-  const std::uint64_t normal_low = low(p) << zeros;
-  const std::uint64_t normal_high = high(p) << zeros | low(p) >> 1 >> (63 - zeros);
+  // p << zeros, but for the bits that move to the upper half: at most 8, below the 53 kept there
+  const std::uint64_t normal_low = low(p) << zeros, normal_high = high(p) << zeros;
   const std::int64_t exponent = static_cast<std::int64_t>(magnitude_bits >> 52);
   // value in [2^(e - 1), 2^e) with e = N (exponent - 1022) - zeros; the field of a double is e +
   // 1022

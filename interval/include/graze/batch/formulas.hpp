@@ -68,7 +68,7 @@ template <class P> struct formulas {
   /// both 0 for x = [0, 0]. Where y = [0, 0], both divisors are NaN.
   ///
   /// Four comparisons, and no more: AVX-512 keeps their results in registers that are few, and a
-  /// fifth would let divisions wait for operands (docs/numerics.md).
+  /// fifth would make divisions wait for operands (docs/batches.md).
   GRAZE_BATCH_OPERATION interval div(const interval& x, const interval& y) {
     const vector zero = P::zero();
     const mask turn = P::less_equal(y.hi, zero);
