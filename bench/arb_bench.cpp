@@ -52,16 +52,24 @@ void measure_arb() {
   binary("div", operands::mixed, arb_div);
   unary("sqrt", operands::positive, arb_sqrt);
   unary("sqr", operands::mixed, arb_sqr);
-  unary("exp", operands::narrow, arb_exp);
-  unary("log", operands::positive_narrow, arb_log);
-  unary("sin", operands::narrow, arb_sin);
-  unary("cos", operands::narrow, arb_cos);
-  unary("tan", operands::narrow, arb_tan);
-  unary("atan", operands::narrow, arb_atan);
-  binary("atan2", operands::narrow, arb_atan2);
-  measure<library>("pown(x,4)", operands::narrow, [](N& r, const N& x, const N&, const N&) {
-    arb_pow_ui(r.value, x.value, 4, precision);
-  });
+  for (const bool is_narrow : {true, false}) {
+    const operands kind = is_narrow ? operands::narrow : operands::mixed;
+    const auto named = [is_narrow](const char* f) {
+      return f + std::string(is_narrow ? "/narrow" : "/mixed");
+    };
+    unary(named("exp").c_str(), kind, arb_exp);
+    unary(named("log").c_str(),
+          is_narrow ? operands::positive_narrow : operands::mixed_of_logarithm, arb_log);
+    unary(named("sin").c_str(), kind, arb_sin);
+    unary(named("cos").c_str(), kind, arb_cos);
+    unary(named("tan").c_str(), kind, arb_tan);
+    unary(named("atan").c_str(), kind, arb_atan);
+    binary(named("atan2").c_str(), kind, arb_atan2);
+    measure<library>(named("pown(x,4)").c_str(), kind, [](N& r, const N& x, const N&, const N&) {
+      arb_pow_ui(r.value, x.value, 4, precision);
+    });
+  }
+  unary("log/positive", operands::positive, arb_log);
 }
 
 } // namespace graze::bench

@@ -38,13 +38,8 @@ void measure_boost() {
   measure_arithmetic<by_default>();
   measure_arithmetic<without_protection>();
   using L = with_functions;
-  GRAZE_MEASURE("exp", operands::narrow, exp(x));
-  GRAZE_MEASURE("log", operands::positive_narrow, log(x));
-  GRAZE_MEASURE("sin", operands::narrow, sin(x));
-  GRAZE_MEASURE("cos", operands::narrow, cos(x));
-  GRAZE_MEASURE("tan", operands::narrow, tan(x));
-  GRAZE_MEASURE("atan", operands::narrow, atan(x));
-  GRAZE_MEASURE("pown(x,4)", operands::narrow, pow(x, 4));
+  measure_functions<L>();
+  GRAZE_MEASURE_BOTH("pown(x,4)", pow(x, 4));
 }
 
 } // namespace graze::bench

@@ -17,7 +17,7 @@ struct plain {
   struct scope {
     scope() {}
   };
-  static void assign(double& x, const ends& e) { x = e.lower; }
+  static void assign(double& x, const ends& e) { x = e.point; }
 };
 } // namespace
 

@@ -16,21 +16,20 @@ public:
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration)
         continue;
-      const std::string name = run.benchmark_name();
-      const std::size_t slash = name.find('/');
-      const std::string operation = name.substr(0, slash), rest = name.substr(slash + 1);
-      const std::string library = rest.substr(0, rest.find('/'));
+      const std::string name = run.run_name.function_name; // e.g. exp/mixed/MPFI
+      const std::size_t slash = name.rfind('/');
+      const std::string operation = name.substr(0, slash), library = name.substr(slash + 1);
       remember(operations_, operation), remember(libraries_, library);
       times_[{operation, library}].push_back(run.GetAdjustedCPUTime() / graze::bench::size);
     }
   }
   void Finalize() override {
-    std::printf("\nns an operation (multiple of double's), median\n%-12s", "");
+    std::printf("\nns an operation (multiple of double's), median\n%-15s", "");
     for (const std::string& l : libraries_)
       std::printf(" %19s", l.c_str());
     std::printf("\n");
     for (const std::string& o : operations_) {
-      std::printf("%-12s", o.c_str());
+      std::printf("%-15s", o.c_str());
       const double one = median(o, "double");
       for (const std::string& l : libraries_)
         if (const double t = median(o, l); t > 0)

@@ -2,6 +2,7 @@
 /// What is measured, the same for every library: 4,096 operations on arrays, one after the other.
 #include <algorithm>
 #include <benchmark/benchmark.h>
+#include <cmath>
 #include <cstddef>
 #include <random>
 #include <string>
@@ -11,16 +12,18 @@ namespace graze::bench {
 
 inline constexpr std::size_t size = 4096;
 
+/// An interval, and a number for plain double: a random point of the function's domain.
 struct ends {
-  double lower, upper;
+  double lower, upper, point;
 };
 
 /// The operands of a kind of operation; fixed seeds.
 enum class operands {
-  mixed,    ///< two ends in [-10, 10]: a third of them hold 0
+  mixed,    ///< two ends in [-10, 10]: half of them hold 0
   positive, ///< two ends in [2^-10, 10]
   narrow,   ///< of width up to 2^-6, in [-10, 10]
   positive_narrow,
+  mixed_of_logarithm, ///< as mixed: half of them hold 0, a quarter lie below it; points above 0
 };
 
 inline std::vector<ends> make(operands kind, std::uint64_t seed) {
@@ -31,7 +34,7 @@ inline std::vector<ends> make(operands kind, std::uint64_t seed) {
   std::vector<ends> r(size);
   for (ends& e : r) {
     const double a = any(random), b = narrow ? a + width(random) : any(random);
-    e = {std::min(a, b), std::max(a, b)};
+    e = {std::min(a, b), std::max(a, b), kind == operands::mixed_of_logarithm ? std::fabs(a) : a};
   }
   return r;
 }
@@ -88,15 +91,21 @@ template <class L> void measure_arithmetic() {
   };
   measure<L>("polynomial", operands::mixed, polynomial);
 }
+/// Functions take narrow intervals, the two ends of which are near each other, and mixed ones.
+#define GRAZE_MEASURE_BOTH(name, expression)                                                       \
+  GRAZE_MEASURE(name "/narrow", operands::narrow, expression);                                     \
+  GRAZE_MEASURE(name "/mixed", operands::mixed, expression)
 template <class L> void measure_functions() {
-  GRAZE_MEASURE("exp", operands::narrow, exp(x));
-  GRAZE_MEASURE("log", operands::positive_narrow, log(x));
-  GRAZE_MEASURE("sin", operands::narrow, sin(x));
-  GRAZE_MEASURE("cos", operands::narrow, cos(x));
-  GRAZE_MEASURE("tan", operands::narrow, tan(x));
-  GRAZE_MEASURE("atan", operands::narrow, atan(x));
-  GRAZE_MEASURE("atan2", operands::narrow, atan2(x, y));
-  GRAZE_MEASURE("pown(x,4)", operands::narrow, pown(x, 4));
+  GRAZE_MEASURE_BOTH("exp", exp(x));
+  GRAZE_MEASURE("log/narrow", operands::positive_narrow, log(x));
+  GRAZE_MEASURE("log/mixed", operands::mixed_of_logarithm, log(x));
+  GRAZE_MEASURE("log/positive", operands::positive, log(x));
+  GRAZE_MEASURE_BOTH("sin", sin(x));
+  GRAZE_MEASURE_BOTH("cos", cos(x));
+  GRAZE_MEASURE_BOTH("tan", tan(x));
+  GRAZE_MEASURE_BOTH("atan", atan(x));
+  GRAZE_MEASURE_BOTH("atan2", atan2(x, y));
+  GRAZE_MEASURE_BOTH("pown(x,4)", pown(x, 4));
 }
 
 // Each in a file of its own.

@@ -51,13 +51,21 @@ void measure_mpfi() {
     }
     mpfi_sub(r.value, r.value, c.value);
   });
-  unary("exp", operands::narrow, mpfi_exp);
-  unary("log", operands::positive_narrow, mpfi_log);
-  unary("sin", operands::narrow, mpfi_sin);
-  unary("cos", operands::narrow, mpfi_cos);
-  unary("tan", operands::narrow, mpfi_tan);
-  unary("atan", operands::narrow, mpfi_atan);
-  binary("atan2", operands::narrow, mpfi_atan2);
+  for (const bool is_narrow : {true, false}) {
+    const operands kind = is_narrow ? operands::narrow : operands::mixed;
+    const auto named = [is_narrow](const char* f) {
+      return f + std::string(is_narrow ? "/narrow" : "/mixed");
+    };
+    unary(named("exp").c_str(), kind, mpfi_exp);
+    unary(named("log").c_str(),
+          is_narrow ? operands::positive_narrow : operands::mixed_of_logarithm, mpfi_log);
+    unary(named("sin").c_str(), kind, mpfi_sin);
+    unary(named("cos").c_str(), kind, mpfi_cos);
+    unary(named("tan").c_str(), kind, mpfi_tan);
+    unary(named("atan").c_str(), kind, mpfi_atan);
+    binary(named("atan2").c_str(), kind, mpfi_atan2);
+  }
+  unary("log/positive", operands::positive, mpfi_log);
 }
 
 } // namespace graze::bench

@@ -168,28 +168,34 @@ template <class Function> bounds around_pole(const bounds& x, int n, Function f)
 
 namespace {
 
+/// Where quick<N> does not decide; out of line, so that the usual case saves no registers.
+[[gnu::cold, gnu::noinline]] bounds odd_power(const bounds x, int n) {
+  return {point::pown_of_any(x.lo, n).down, point::pown_of_any(x.hi, n).up};
+}
+[[gnu::cold, gnu::noinline]] bounds even_power(double least, double greatest, int n) {
+  return {least > 0 ? point::pown_of_any(least, n).down : 0, point::pown_of_any(greatest, n).up};
+}
+
 /// Without branches on signs, which for mixed ones are not predicted.
-template <int N> bounds positive_power(const bounds& x) {
+template <int N> [[gnu::noinline]] bounds positive_power(const bounds x) {
   if constexpr (N % 2 != 0) {
     const auto low_bits = std::bit_cast<std::uint64_t>(x.lo),
                high_bits = std::bit_cast<std::uint64_t>(x.hi);
     const quick_power low_end = quick<N>(low_bits & ~rounding::exact::sign_bit);
     const quick_power high_end = quick<N>(high_bits & ~rounding::exact::sign_bit);
-    if (low_end.valid && high_end.valid) {
-      const std::uint64_t low_negative = low_bits >> 63, high_negative = high_bits >> 63;
-      return {std::bit_cast<double>((low_end.down + low_negative) | low_negative << 63),
-              std::bit_cast<double>((high_end.down + (1 - high_negative)) | high_negative << 63)};
-    }
-    return {point::pown_of_any(x.lo, N).down, point::pown_of_any(x.hi, N).up};
+    if (!(low_end.valid && high_end.valid)) [[unlikely]]
+      return odd_power(x, N);
+    const std::uint64_t low_negative = low_bits >> 63, high_negative = high_bits >> 63;
+    return {std::bit_cast<double>((low_end.down + low_negative) | low_negative << 63),
+            std::bit_cast<double>((high_end.down + (1 - high_negative)) | high_negative << 63)};
   } else {
     const double greatest = std::max(-x.lo, x.hi), least = std::max(x.lo, -x.hi);
     const bool holds_zero = !(least > 0);
     const quick_power far = quick<N>(std::bit_cast<std::uint64_t>(greatest));
     const quick_power near = quick<N>(std::bit_cast<std::uint64_t>(holds_zero ? greatest : least));
-    if (far.valid && near.valid)
-      return {std::bit_cast<double>(holds_zero ? 0 : near.down),
-              std::bit_cast<double>(far.down + 1)};
-    return {holds_zero ? 0 : point::pown_of_any(least, N).down, point::pown_of_any(greatest, N).up};
+    if (!(far.valid && near.valid)) [[unlikely]]
+      return even_power(least, greatest, N);
+    return {std::bit_cast<double>(holds_zero ? 0 : near.down), std::bit_cast<double>(far.down + 1)};
   }
 }
 

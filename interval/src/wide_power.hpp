@@ -108,16 +108,17 @@ template <int N> constexpr quick_power quick(std::uint64_t magnitude_bits) {
   const std::uint64_t s = magnitude_bits << 11 | rounding::exact::sign_bit;
   const uint128 p = unrolled_power<N>(s);
   const int zeros = std::countl_zero(high(p)); // at most N
-  const uint128 normal = p << zeros;
+  // p << zeros, but for the bits that move to the upper half: at most 8, below the 53 kept there
+  const std::uint64_t normal_low = low(p) << zeros, normal_high = high(p) << zeros;
   const std::int64_t exponent = static_cast<std::int64_t>(magnitude_bits >> 52);
   // value in [2^(e - 1), 2^e) with e = N (exponent - 1022) - zeros; the field of a double is e +
   // 1022
   const std::int64_t field = N * exponent - N * 1022 - zeros + 1022;
   // low by at most 2 (N - 1) 2^N ulps < 2^12; 0 may stand for an exact power
-  const bool decided = low(normal) - 1 < ~std::uint64_t{0} - 4096;
+  const bool decided = normal_low - 1 < ~std::uint64_t{0} - 4096;
   const bool usual = static_cast<std::uint64_t>(exponent - 1) < 2046 &&
                      static_cast<std::uint64_t>(field - 1) < 2046;
-  return {(static_cast<std::uint64_t>(field - 1) << 52) + (high(normal) >> 11), decided && usual};
+  return {(static_cast<std::uint64_t>(field - 1) << 52) + (normal_high >> 11), decided && usual};
 }
 
 } // namespace graze::wide

@@ -49,6 +49,8 @@ struct avx512 {
   // 4 is the lesser and 5 the greater, with its own sign
   GRAZE_BATCH_BINARY(min_number, "vrangepd $4, %2, %1")
   GRAZE_BATCH_BINARY(max_number, "vrangepd $5, %2, %1")
+  // 11 is the greater of the magnitudes, with the sign +
+  GRAZE_BATCH_BINARY(greater_magnitude, "vrangepd $11, %2, %1")
   // Two registers (a0 b0 a1 b1 ...) to and from one of the a and one of the b; the lanes' order in
   // between is the processor's.
   GRAZE_BATCH_BINARY(firsts, "vunpcklpd %2, %1")
@@ -73,6 +75,16 @@ struct avx512 {
 
   GRAZE_BATCH_OPERATION vector neg(vector x) { return _mm512_xor_pd(x, broadcast(-0.0)); }
   GRAZE_BATCH_OPERATION vector abs(vector x) { return _mm512_andnot_pd(broadcast(-0.0), x); }
+
+  // By a table of responses, four bits for each class of the operand: quiet and signalling NaN,
+  // zero, one, the infinities, negative, positive. 0 is the first vector here, 1 the operand, 3 a
+  // quiet NaN. No mask register is needed.
+  GRAZE_BATCH_OPERATION vector number_or(vector p, vector q) {
+    return _mm512_fixupimm_pd(q, p, _mm512_set1_epi64(0x11111100), 0);
+  }
+  GRAZE_BATCH_OPERATION vector nan_for_zero(vector p) {
+    return _mm512_fixupimm_pd(p, p, _mm512_set1_epi64(0x11111311), 0);
+  }
 
   GRAZE_BATCH_OPERATION mask less(vector p, vector q) {
     return _mm512_cmp_pd_mask(p, q, _CMP_LT_OQ);

@@ -39,8 +39,9 @@ template <class P> struct formulas {
     const vector lo = P::min_number(P::mul_down(x.lo, e.down_lo), P::mul_down(x.hi, e.down_hi));
     const vector hi = P::max_number(P::mul_up(x.lo, e.up_lo), P::mul_up(x.hi, e.up_hi));
     const mask is_empty = P::either_nan(x.lo, y.lo);
-    return {P::select(P::but_not(P::either_nan(lo, lo), is_empty), P::zero(), lo),
-            P::select(P::but_not(P::either_nan(hi, hi), is_empty), P::zero(), hi)};
+    const vector nan = P::broadcast(__builtin_nan(""));
+    const vector instead = P::select(is_empty, nan, P::zero());
+    return {P::number_or(lo, instead), P::number_or(hi, instead)};
   }
 
   /// { s t + u : s in x, t in y, u in z }, rounded once.
@@ -54,30 +55,32 @@ template <class P> struct formulas {
         P::min_number(P::fma_down(x.lo, e.down_lo, z.lo), P::fma_down(x.hi, e.down_hi, z.lo));
     const vector hi = P::max_number(P::fma_up(x.lo, e.up_lo, z.hi), P::fma_up(x.hi, e.up_hi, z.hi));
     const mask is_empty = P::either_nan(x.lo, y.lo);
-    return {P::select(P::but_not(P::either_nan(lo, lo), is_empty), z.lo, lo),
-            P::select(P::but_not(P::either_nan(hi, hi), is_empty), z.hi, hi)};
+    const vector nan = P::broadcast(__builtin_nan(""));
+    return {P::number_or(lo, P::select(is_empty, nan, z.lo)),
+            P::number_or(hi, P::select(is_empty, nan, z.hi))};
   }
 
   /// { s / t : s in x, t in y, t != 0 }; empty for y = [0, 0].
-  /// A y below zero is turned with x: x / y = -x / -y. Then y = [c, d] with 0 <= c, c = +0 if zero,
-  /// and x.lo is divided by c if negative, else by d; x.hi by c if positive, else by d: a negative
-  /// number over +0 is -inf as it should be, and no 0 / 0 or inf / inf occurs unless y = [0, 0].
+  /// A y below zero is turned with x: x / y = -x / -y. Then y = [c, d] with c = +0 if zero, and
+  /// a = x.lo is divided by c if negative, else by d; b = x.hi by c if positive, else by d: a
+  /// negative number over +0 is -inf as it should be, and no 0 / 0 or inf / inf occurs. For zero
+  /// inside y, c counts as +0 and x as [-m, m], m its magnitude: both quotients are infinite, or
+  /// both 0 for x = [0, 0]. Where y = [0, 0], both divisors are NaN.
+  ///
+  /// Four comparisons, and no more: AVX-512 keeps their results in registers that are few, and a
+  /// fifth would make divisions wait for operands (docs/batches.md).
   GRAZE_BATCH_OPERATION interval div(const interval& x, const interval& y) {
     const vector zero = P::zero();
     const mask turn = P::less_equal(y.hi, zero);
-    const vector a = P::select(turn, P::neg(x.hi), x.lo), b = P::select(turn, P::neg(x.lo), x.hi);
-    const vector c = P::select(turn, P::neg(y.hi), y.lo), d = P::select(turn, P::neg(y.lo), y.hi);
-    const mask below = P::less(a, zero), above = P::less(zero, b);
-    const vector near = P::abs(c); // of the sign of y where y holds zero inside: overwritten below
-    const vector lo = P::div_down(a, P::select(below, near, d));
-    const vector hi = P::div_up(b, P::select(above, near, d));
-    // zero inside y: everything, unless x = [0, 0]
-    const mask entire = P::both(P::less(c, zero), P::either(below, above));
-    // y = [0, 0]; near = |c| <= 0 excludes zero inside; NaN is not reached by x's empty set
-    const mask none = P::both(P::equal(near, zero), P::equal(d, zero));
-    const vector infinity = P::broadcast(__builtin_inf()), nan = P::broadcast(__builtin_nan(""));
-    return {P::select(none, nan, P::select(entire, P::neg(infinity), lo)),
-            P::select(none, nan, P::select(entire, infinity, hi))};
+    const vector c = P::select(turn, P::neg(y.hi), y.lo);
+    const vector d = P::nan_for_zero(P::select(turn, P::neg(y.lo), y.hi));
+    const mask inside = P::less(c, zero);
+    const vector near = P::abs(P::min_or_second(P::max_or_second(zero, c), d));
+    const vector m = P::greater_magnitude(x.lo, x.hi);
+    const vector a = P::select(inside, P::neg(m), P::select(turn, P::neg(x.hi), x.lo));
+    const vector b = P::select(inside, m, P::select(turn, P::neg(x.lo), x.hi));
+    return {P::div_down(a, P::select(P::less(a, zero), near, d)),
+            P::div_up(b, P::select(P::less(zero, b), near, d))};
   }
 
   GRAZE_BATCH_OPERATION interval sqr(const interval& x) {

@@ -10,6 +10,9 @@
 ///                            graze::rounding::Backend, the same on every path
 ///   max_or_second(p, q)      p > q ? p : q, so q where either is NaN; min_or_second likewise
 ///   min_number, max_number   the number where the other is NaN; -0 < +0
+///   greater_magnitude(p, q)  the greater of |p| and |q|; NaN where both are
+///   number_or(p, q)          p, or q where p is NaN
+///   nan_for_zero(p)          NaN where p is a zero, else p
 ///   select(m, p, q)          p where m, else q
 ///   bits(m)                  lane i is bit i
 ///

@@ -43,6 +43,11 @@ struct portable : rounding::nearest {
       return p != p ? q : p;
     return p == q ? (__builtin_signbit(p) ? q : p) : (p > q ? p : q);
   }
+  GRAZE_BATCH_OPERATION vector greater_magnitude(vector p, vector q) {
+    return max_or_second(abs(p), abs(q));
+  }
+  GRAZE_BATCH_OPERATION vector number_or(vector p, vector q) { return p != p ? q : p; }
+  GRAZE_BATCH_OPERATION vector nan_for_zero(vector p) { return p == 0 ? __builtin_nan("") : p; }
   GRAZE_BATCH_OPERATION mask less(vector p, vector q) { return p < q; }
   GRAZE_BATCH_OPERATION mask less_equal(vector p, vector q) { return p <= q; }
   GRAZE_BATCH_OPERATION mask equal(vector p, vector q) { return p == q; }

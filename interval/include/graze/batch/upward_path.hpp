@@ -31,12 +31,21 @@ template <class Registers> struct upward_path : Registers {
   // MINPD gives the second operand if either is NaN or both are zeros: NaN replaced by the other
   // operand first, and the two orders joined, give the number, and -0 if there is one.
   GRAZE_BATCH_OPERATION vector min_number(vector p, vector q) {
-    const vector a = R::select(R::either_nan(p, p), q, p), b = R::select(R::either_nan(q, q), p, q);
+    const vector a = number_or(p, q), b = number_or(q, p);
     return R::bits_or(R::min_or_second(a, b), R::min_or_second(b, a));
   }
   GRAZE_BATCH_OPERATION vector max_number(vector p, vector q) {
-    const vector a = R::select(R::either_nan(p, p), q, p), b = R::select(R::either_nan(q, q), p, q);
+    const vector a = number_or(p, q), b = number_or(q, p);
     return R::bits_and(R::max_or_second(a, b), R::max_or_second(b, a));
+  }
+  GRAZE_BATCH_OPERATION vector greater_magnitude(vector p, vector q) {
+    return R::max_or_second(R::abs(p), R::abs(q));
+  }
+  GRAZE_BATCH_OPERATION vector number_or(vector p, vector q) {
+    return R::select(R::either_nan(p, p), q, p);
+  }
+  GRAZE_BATCH_OPERATION vector nan_for_zero(vector p) {
+    return R::select(R::equal(p, R::zero()), R::broadcast(__builtin_nan("")), p);
   }
 #undef GRAZE_BATCH_OPERATION
 };
