@@ -45,8 +45,15 @@ bounds exp10::value(bounds x) { return increasing_everywhere<point::exp10>(x.lo,
 bounds expm1::value(bounds x) { return increasing_everywhere<point::expm1>(x.lo, x.hi); }
 bounds log::value(bounds x) {
 #if defined(__x86_64__)
-  if (point::core_math::fused)
-    return elementary::logarithm_pair(x.lo, x.hi);
+  if (point::core_math::fused) {
+    if (!(x.hi > 0))
+      return bounds::empty();
+    // the fast evaluation wants two positive ends; a lower one at the pole counts for nothing
+    const bool pole = x.lo <= 0;
+    bounds r = elementary::logarithm_pair(pole ? x.hi : x.lo, x.hi);
+    r.lo = pole ? -checking::infinity : r.lo;
+    return r;
+  }
 #endif
   return elementary::logarithm_each(x.lo, x.hi);
 }
