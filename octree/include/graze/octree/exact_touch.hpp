@@ -76,7 +76,7 @@ public:
       // within(t = 0): at an open face it is not
       const bool after_near = (near[a] < o) | ((near[a] == o) & near_closed[a]);
       const bool before_far = (o < far[a]) | ((o == far[a]) & far_closed[a]);
-      outside |= !before_far | (still_[a] & !after_near);
+      outside |= (!before_far) | (still_[a] & !after_near);
       entering_pairs |= unsigned{!after_near} * 3u << (2 * a);
       to_near[a] = near[a] - o;
       to_far[a] = far[a] - o;
