@@ -19,6 +19,29 @@
 
 namespace graze::octree {
 
+/// A power of two that takes a direction's largest component into [2^-474, 2^424], where products
+/// of two components neither underflow nor overflow.
+inline double direction_scale(const vec3& d) {
+  const double largest = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
+  return largest < 0x1p-400 ? 0x1p600 : (largest > 0x1p400 ? 0x1p-600 : 1);
+}
+/// direction_scale leaves this component exact: 2^-422 * 2^-600 is the least normal number, and
+/// scaling up never rounds.
+inline bool scales_exactly(double component, double scale) {
+  return (scale >= 1) | (std::fabs(component) >= 0x1p-422) | (component == 0);
+}
+
+/// The same set of points by a direction of ordinary size; the ray itself where its components are
+/// too far apart for that.
+[[nodiscard]] inline ray rescaled(const ray& r) {
+  const vec3& d = r.direction();
+  const double scale = direction_scale(d);
+  if (scale == 1 ||
+      !(scales_exactly(d[0], scale) & scales_exactly(d[1], scale) & scales_exactly(d[2], scale)))
+    return r;
+  return *ray::make(r.origin(), {d[0] * scale, d[1] * scale, d[2] * scale});
+}
+
 /// A ray prepared for exact decisions. May be made and asked in any rounding mode, and gives the
 /// same answers in each; where subnormal operands count as zero (DAZ) they are not to be trusted
 /// (rounding::refusal). A cube's lo + size must be exact doubles, as they are for every octant of a
@@ -29,15 +52,13 @@ public:
     // Comparisons are homogeneous in the direction. A power of two keeps the filter's products away
     // from underflow and overflow; a component that it would round gets NaN, which the filter
     // leaves to the integers.
-    const double largest =
-        std::max({std::fabs(direction_[0]), std::fabs(direction_[1]), std::fabs(direction_[2])});
-    const double factor = largest < 0x1p-400 ? 0x1p600 : (largest > 0x1p400 ? 0x1p-600 : 1);
+    const double scale = direction_scale(direction_);
     constexpr std::array<unsigned, 3> pairs_to{0x14, 0x21, 0x0a}; // of `pairs`, by their exit
     for (unsigned a = 0; a < 3; ++a) {
       const double d = direction_[a], speed = std::fabs(d);
-      const bool exact = (factor >= 1) | (speed >= 0x1p-422); // 2^-422 * 2^-600 is the least normal
+      const bool exact = scales_exactly(d, scale);
       constexpr auto nan = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::quiet_NaN());
-      speed_[a] = std::bit_cast<double>(std::bit_cast<std::uint64_t>(speed * factor) |
+      speed_[a] = std::bit_cast<double>(std::bit_cast<std::uint64_t>(speed * scale) |
                                         (nan & mask_of(!exact)));
       backward_[a] = mask_of(d < 0);
       still_[a] = d == 0;
