@@ -36,8 +36,8 @@ inline bool scales_exactly(double component, double scale) {
 [[nodiscard]] inline ray rescaled(const ray& r) {
   const vec3& d = r.direction();
   const double scale = direction_scale(d);
-  if (scale == 1 ||
-      !(scales_exactly(d[0], scale) & scales_exactly(d[1], scale) & scales_exactly(d[2], scale)))
+  if (scale == 1 || !scales_exactly(d[0], scale) || !scales_exactly(d[1], scale) ||
+      !scales_exactly(d[2], scale))
     return r;
   return *ray::make(r.origin(), {d[0] * scale, d[1] * scale, d[2] * scale});
 }
@@ -95,13 +95,16 @@ public:
       near_closed[a] = hi_closed | !backward;
       far_closed[a] = hi_closed | backward;
       // within(t = 0): at an open face it is not
-      const bool after_near = (near[a] < o) | ((near[a] == o) & near_closed[a]);
-      const bool before_far = (o < far[a]) | ((o == far[a]) & far_closed[a]);
+      const double first = near[a], last = far[a];
+      const bool with_near = near_closed[a], with_far = far_closed[a];
+      const bool after_near = (first < o) | ((first == o) & with_near);
+      const bool before_far = (o < last) | ((o == last) & with_far);
       outside |= (!before_far) | (still_[a] & !after_near);
       entering_pairs |= unsigned{!after_near} * 3u << (2 * a);
       to_near[a] = near[a] - o;
       to_far[a] = far[a] - o;
-      certain &= (to_near[a] <= certain_distance) & (to_far[a] <= certain_distance);
+      certain &= to_near[a] <= certain_distance;
+      certain &= to_far[a] <= certain_distance;
     }
     if (outside)
       return false;
@@ -120,7 +123,7 @@ public:
       const auto [a, b] = pairs[static_cast<unsigned>(std::countr_zero(left))];
       const int sign = determinant_sign({near[a], origin_[a]}, direction_[b], {far[b], origin_[b]},
                                         direction_[a]);
-      if (sign > 0 || (sign == 0 && !(near_closed[a] & far_closed[b])))
+      if (sign > 0 || (sign == 0 && !(near_closed[a] && far_closed[b])))
         return false;
     }
     return true;
