@@ -48,7 +48,9 @@ TEST_CASE("graze-fuzz run: --json prints one object with what is promised", "[un
   CHECK(object["rays_per_second"] > 0);
   CHECK(object["first_miss_seconds"] < 1.0);
   CHECK(object["counterexample"].contains("octant"));
-  CHECK(object["generators"].size() == 18);
+  CHECK(object["generators"].size() == 19);
+  for (const auto& of : object["generators"])
+    CHECK(of.contains("spurious_rate"));
   const auto clean =
       nlohmann::json::parse(call("run --rays 2000 --json --generator vertex,random").out);
   CHECK(clean["counterexample"].is_null());
