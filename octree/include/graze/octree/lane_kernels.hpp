@@ -17,6 +17,9 @@ template <Surface F> struct lane_kernels {
   /// surface_traversal<F>::first_hit, for arguments that its make() accepts.
   surface_hit (*first_hit)(const F&, const box& domain, const sparse_octree&, int level, const ray&,
                            traversal_counts*);
+  /// Fills the room with the octree of voxelize<F> below the node returned, which is the root's.
+  sparse_octree::builder::inner (*voxelize)(const F&, const box& domain, const cube& root,
+                                            int level, sparse_octree::room&);
 };
 
 /// The path's kernels. The path must run here (batch::refusal).
@@ -25,6 +28,34 @@ template <> const lane_kernels<spheres>& lane_kernels_of<spheres>(batch::path p)
 template <> const lane_kernels<quartdef>& lane_kernels_of<quartdef>(batch::path p);
 template <> const lane_kernels<tanglecube>& lane_kernels_of<tanglecube>(batch::path p);
 template <> const lane_kernels<holesrot>& lane_kernels_of<holesrot>(batch::path p);
+
+/// voxelize(f, root, domain) by a path's kernels: the same octree, or the same refusal; and refuses
+/// a path that does not run here. Any rounding mode; any thread.
+template <Surface F>
+[[nodiscard]] expected<sparse_octree> voxelize_in_lanes(const F& f, const root_cube& root,
+                                                        const box& domain,
+                                                        batch::path p = batch::path_in_use()) {
+  if (const auto reason = batch::refusal(p))
+    return unexpected{*reason};
+  if (!(domain.lo[0] <= domain.hi[0] && domain.lo[1] <= domain.hi[1] &&
+        domain.lo[2] <= domain.hi[2]))
+    return unexpected{"domain is empty"};
+  sparse_octree::room out(root);
+  const auto top = lane_kernels_of<F>(p).voxelize(f, domain, root.box(), root.level(), out);
+  if (out.overflowed)
+    return unexpected{"the octree has more than 2^32 nodes at this level"};
+  return std::move(out).finish(top);
+}
+
+/// The same in the smallest symmetric root that holds the domain.
+template <Surface F>
+[[nodiscard]] expected<sparse_octree> voxelize_in_lanes(const F& f, const box& domain, int level,
+                                                        batch::path p = batch::path_in_use()) {
+  const expected<root_cube> root = enclosing_root(domain, level);
+  if (!root)
+    return unexpected{root.reason()};
+  return voxelize_in_lanes(f, *root, domain, p);
+}
 
 /// surface_traversal<F> by a path's kernels. One indirect call a ray.
 template <Surface F> class lane_traversal {
