@@ -96,22 +96,31 @@ GRAZE_BATCH_INLINE bool descend_eight(const sound_eight<Path, C>& method, const 
       if (stopped)
         break;
     }
-    here.pending = pending;
-    open_depths |= std::uint64_t{pending != 0} << depth;
-    if (open_depths == 0)
-      break;
-    depth = 63 - std::countl_zero(open_depths);
-    frame& from = stack.of[depth];
-    const unsigned mirrored = static_cast<unsigned>(std::countr_zero(from.pending)) ^ from.nearest;
-    const unsigned index = mirrored ^ mirror;
-    from.pending &= from.pending - 1;
-    open_depths &= ~(std::uint64_t{from.pending == 0} << depth);
+    unsigned mirrored;
+    if (pending != 0) { // on into a child, from registers
+      mirrored = static_cast<unsigned>(std::countr_zero(pending)) ^ h.nearest;
+      pending &= pending - 1;
+      here.pending = pending;
+      open_depths |= std::uint64_t{pending != 0} << depth;
+      corner = method_type::child_corner(corner, h.mid, mirrored ^ mirror);
+      at = method_type::child_state(h, at, mirrored);
+    } else { // back to the deepest octant that has children left
+      if (open_depths == 0)
+        break;
+      depth = 63 - std::countl_zero(open_depths);
+      frame& from = stack.of[depth];
+      mirrored = static_cast<unsigned>(std::countr_zero(from.pending)) ^ from.nearest;
+      from.pending &= from.pending - 1;
+      open_depths &= ~(std::uint64_t{from.pending == 0} << depth);
+      corner = method_type::child_corner(from.corner, from.mid, mirrored ^ mirror);
+      at = method_type::child_state(from.at_mid, from.at, mirrored);
+      half = from.half;
+      within = from.within;
+      node = from.node;
+    }
     if (depth + 1 < stored)
-      node = octree.child(from.node, index);
-    corner = method_type::child_corner(from.corner, from.mid, index);
-    at = method_type::child_state(from.at_mid, from.at, mirrored);
-    half = from.half / 2;
-    within = from.within;
+      node = octree.child(node, mirrored ^ mirror);
+    half /= 2;
     ++depth;
   }
   cells_opened += opened;
