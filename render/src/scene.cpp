@@ -24,9 +24,9 @@ public:
     return std::unique_ptr<caster>(new surface_caster(std::move(kept), *std::move(work)));
   }
 
-  octree::surface_hit first_hit(const octree::ray& r,
-                                octree::traversal_counts* counts) const override {
-    return work_.first_hit(r, counts);
+  void first_hits(std::span<const octree::ray> rays, std::span<octree::surface_hit> hits,
+                  octree::traversal_counts* counts) const override {
+    work_.first_hits(rays, hits, counts);
   }
   vec3 gradient(const vec3& point) const override { return octree::normal(Surface{}, point); }
   std::uint64_t octree_leaves() const override { return tree_->leaf_count(); }

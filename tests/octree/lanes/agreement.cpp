@@ -180,6 +180,13 @@ TEST_CASE("octree.lanes: first hits are those of surface_traversal on every path
         traversal_counts expected_counts, counts;
         for (const ray& r : rays)
           wrong += !same(lanes->first_hit(r, &counts), scalar->first_hit(r, &expected_counts));
+        traversal_counts batch_counts;
+        std::vector<surface_hit> hits(rays.size());
+        lanes->first_hits(rays, hits, &batch_counts);
+        for (std::size_t i = 0; i < rays.size(); ++i)
+          wrong += !same(hits[i], scalar->first_hit(rays[i]));
+        CHECK(batch_counts.cells_opened == expected_counts.cells_opened);
+        CHECK(batch_counts.leaves_kept == expected_counts.leaves_kept);
         INFO(batch::name(p) << " level " << level);
         CHECK(wrong == 0);
         CHECK(counts.cells_opened == expected_counts.cells_opened);

@@ -80,9 +80,7 @@ template <class N> struct cube_minus_identity_of {
   static N value(const N& x) { return x * (x * x - constants<N>::exact(1)); }
 };
 /// x^3 - x.
-template <class N> N cube_minus_identity(const N& x) {
-  return cube_minus_identity_of<N>::value(x);
-}
+template <class N> N cube_minus_identity(const N& x) { return cube_minus_identity_of<N>::value(x); }
 
 namespace detail {
 /// Bounds of h(x) = x^3 - x at a double, from |h(x)| = m |m - 1| (m + 1) with m = |x|: three

@@ -6,9 +6,11 @@
 /// own: a file for each path, compiled for its instructions, that defines a table by
 /// make_lane_kernels (lane_kernels_of_path.hpp), and a specialization of lane_kernels_of that
 /// chooses among them; octree/src/lanes is the model.
+#include <cassert>
 #include <graze/batch.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree/voxelizer.hpp>
+#include <span>
 
 namespace graze::octree {
 
@@ -17,6 +19,9 @@ template <Surface F> struct lane_kernels {
   /// surface_traversal<F>::first_hit, for arguments that its make() accepts.
   surface_hit (*first_hit)(const F&, const box& domain, const sparse_octree&, int level, const ray&,
                            traversal_counts*);
+  /// The same for `count` rays, two in turn; counts are added to.
+  void (*first_hits)(const F&, const box& domain, const sparse_octree&, int level, const ray* rays,
+                     std::size_t count, surface_hit* hits, traversal_counts*);
   /// Fills the room with the octree of voxelize<F> below the node returned, which is the root's.
   sparse_octree::builder::inner (*voxelize)(const F&, const box& domain, const cube& root,
                                             int level, sparse_octree::room&);
@@ -78,6 +83,13 @@ public:
   /// As surface_traversal::first_hit. Any rounding mode; any thread.
   [[nodiscard]] surface_hit first_hit(const ray& r, traversal_counts* counts = nullptr) const {
     return kernels_->first_hit(surface_, domain_, *octree_, level_, r, counts);
+  }
+  /// hits[i] = first_hit(rays[i]), sooner: rays are taken two in turn. As many hits as rays.
+  void first_hits(std::span<const ray> rays, std::span<surface_hit> hits,
+                  traversal_counts* counts = nullptr) const {
+    assert(rays.size() == hits.size());
+    kernels_->first_hits(surface_, domain_, *octree_, level_, rays.data(), rays.size(), hits.data(),
+                         counts);
   }
   [[nodiscard]] int level() const { return level_; }
 

@@ -15,6 +15,10 @@ template <class Path, Surface F> consteval lane_kernels<F> make_lane_kernels() {
                                                                                 level)
                 .first_hit(r, counts);
           },
+          [](const F& f, const box& domain, const sparse_octree& octree, int level, const ray* rays,
+             std::size_t count, surface_hit* hits, traversal_counts* counts) {
+            first_hits_eight<Path>(f, domain, octree, level, rays, count, hits, counts);
+          },
           [](const F& f, const box& domain, const cube& root, int level, sparse_octree::room& out) {
             const typename backend_beside<Path>::scope scope;
             return detail::voxelization_eight<Path, F>(f, domain, level, out).whole(root);
