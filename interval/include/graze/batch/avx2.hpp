@@ -65,7 +65,6 @@ struct avx2_registers {
   }
   GRAZE_BATCH_OPERATION mask both(mask m, mask n) { return _mm256_and_pd(m, n); }
   GRAZE_BATCH_OPERATION mask either(mask m, mask n) { return _mm256_or_pd(m, n); }
-  GRAZE_BATCH_OPERATION mask but_not(mask m, mask n) { return _mm256_andnot_pd(n, m); }
   GRAZE_BATCH_OPERATION vector select(mask m, vector p, vector q) {
     return _mm256_blendv_pd(q, p, m);
   }

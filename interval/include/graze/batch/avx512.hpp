@@ -101,7 +101,6 @@ struct avx512 {
   GRAZE_BATCH_OPERATION mask both(mask m, mask n) { return static_cast<mask>(m & n); }
   GRAZE_BATCH_OPERATION mask either(mask m, mask n) { return static_cast<mask>(m | n); }
   /// m and not n.
-  GRAZE_BATCH_OPERATION mask but_not(mask m, mask n) { return static_cast<mask>(m & ~n); }
   GRAZE_BATCH_OPERATION vector select(mask m, vector p, vector q) {
     return _mm512_mask_blend_pd(m, q, p);
   }

@@ -54,7 +54,6 @@ struct portable : rounding::nearest {
   GRAZE_BATCH_OPERATION mask either_nan(vector p, vector q) { return p != p || q != q; }
   GRAZE_BATCH_OPERATION mask both(mask m, mask n) { return m && n; }
   GRAZE_BATCH_OPERATION mask either(mask m, mask n) { return m || n; }
-  GRAZE_BATCH_OPERATION mask but_not(mask m, mask n) { return m && !n; }
   GRAZE_BATCH_OPERATION vector select(mask m, vector p, vector q) { return m ? p : q; }
   GRAZE_BATCH_OPERATION unsigned bits(mask m) { return m ? 1 : 0; }
   GRAZE_BATCH_OPERATION vector firsts(vector p, vector) { return p; }

@@ -92,7 +92,6 @@ struct sse2_registers {
   GRAZE_BATCH_OPERATION mask either_nan(vector p, vector q) { return _mm_cmpunord_pd(p, q); }
   GRAZE_BATCH_OPERATION mask both(mask m, mask n) { return _mm_and_pd(m, n); }
   GRAZE_BATCH_OPERATION mask either(mask m, mask n) { return _mm_or_pd(m, n); }
-  GRAZE_BATCH_OPERATION mask but_not(mask m, mask n) { return _mm_andnot_pd(n, m); }
   GRAZE_BATCH_OPERATION vector select(mask m, vector p, vector q) {
     return _mm_or_pd(_mm_and_pd(m, p), _mm_andnot_pd(m, q));
   }
