@@ -15,7 +15,7 @@ std::uint64_t voxel_set::key_of(const std::array<std::uint32_t, 3>& index, int l
 expected<voxel_set> voxel_set::make(const root_cube& root,
                                     std::span<const std::array<std::uint32_t, 3>> voxels) {
   if (root.level() > max_set_level)
-    return unexpected{"a voxel set has at most 21 levels"};
+    return unexpected{"a voxel set has at most 20 levels"};
   std::vector<std::uint64_t> keys;
   keys.reserve(voxels.size());
   for (const auto& index : voxels) {

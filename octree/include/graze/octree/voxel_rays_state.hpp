@@ -31,7 +31,7 @@ struct voxel_rays_axis {
 /// which is emptied first.
 struct voxel_rays_state {
   static constexpr unsigned queue = 128;
-  static constexpr unsigned most_depth = 11;
+  static constexpr unsigned most_depth = 10;
 
   // the set
   const std::uint64_t* masks;

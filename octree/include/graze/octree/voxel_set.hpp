@@ -10,24 +10,24 @@
 
 namespace graze::octree {
 
-/// Occupied octants of one level (1..21) of a root cube. A node holds the 4x4x4 octants two levels
+/// Occupied octants of one level (1..20) of a root cube. A node holds the 4x4x4 octants two levels
 /// below it as the bits of one word (bit x + 4 y + 16 z) and the index of its first child; where
 /// the level is odd, the root node covers one level. Memory: 12 bytes a node; voxels take none.
 class voxel_set {
 public:
-  static constexpr int max_set_level = 21;
+  static constexpr int max_set_level = 20;
   static constexpr std::size_t bytes_per_node = sizeof(std::uint64_t) + sizeof(std::uint32_t);
 
   /// The octants of root.level() with these indices, in any order; those named twice count once.
-  /// Refuses a level above 21, an index outside 0 .. 2^level - 1, and 2^32 voxels or more.
+  /// Refuses a level above 20, an index outside 0 .. 2^level - 1, and 2^32 voxels or more.
   [[nodiscard]] static expected<voxel_set>
   make(const root_cube& root, std::span<const std::array<std::uint32_t, 3>> voxels);
 
-  /// The octants of root.level() that a Tree holds. Refuses a level above 21 and 2^32 voxels.
+  /// The octants of root.level() that a Tree holds. Refuses a level above 20 and 2^32 voxels.
   template <Tree T>
   [[nodiscard]] static expected<voxel_set> from_tree(const root_cube& root, const T& tree) {
     if (root.level() > max_set_level)
-      return unexpected{"a voxel set has at most 21 levels"};
+      return unexpected{"a voxel set has at most 20 levels"};
     std::vector<std::uint64_t> keys;
     gather(tree, tree.root(), root.box(), {0, 0, 0}, root.level(), root.level(), keys);
     return from_keys(root, std::move(keys));
