@@ -1,4 +1,5 @@
 #include "elementary/exponential_pair.hpp"
+#include "elementary/logarithm_pair.hpp"
 #include "elementary/monotone.hpp"
 #include <graze/functions/exponential.hpp>
 
@@ -6,6 +7,17 @@ namespace graze::elementary {
 
 __attribute__((noinline)) bounds exponential_each(double lo, double hi) {
   return increasing_everywhere<correctly_rounded::exp>(lo, hi);
+}
+
+/// An increasing function with the domain (pole, inf), at whose lower end it is -inf.
+template <class Function> static bounds logarithm(double lo, double hi, double pole) {
+  if (!(hi > pole))
+    return bounds::empty();
+  return increasing<Function>(lo > pole ? lo : pole, hi);
+}
+
+__attribute__((noinline)) bounds logarithm_each(double lo, double hi) {
+  return logarithm<correctly_rounded::log>(lo, hi, 0);
 }
 
 } // namespace graze::elementary
@@ -17,13 +29,7 @@ namespace point = correctly_rounded;
 using elementary::everywhere;
 
 using elementary::increasing_everywhere;
-
-/// An increasing function with the domain (pole, inf), at whose lower end it is -inf.
-template <class Function> bounds logarithm(double lo, double hi, double pole) {
-  if (!(hi > pole))
-    return bounds::empty();
-  return elementary::increasing<Function>(lo > pole ? lo : pole, hi);
-}
+using elementary::logarithm;
 
 } // namespace
 
@@ -37,7 +43,20 @@ bounds exp::value(bounds x) {
 bounds exp2::value(bounds x) { return increasing_everywhere<point::exp2>(x.lo, x.hi); }
 bounds exp10::value(bounds x) { return increasing_everywhere<point::exp10>(x.lo, x.hi); }
 bounds expm1::value(bounds x) { return increasing_everywhere<point::expm1>(x.lo, x.hi); }
-bounds log::value(bounds x) { return logarithm<point::log>(x.lo, x.hi, 0); }
+bounds log::value(bounds x) {
+#if defined(__x86_64__)
+  if (point::core_math::fused) {
+    if (!(x.hi > 0))
+      return bounds::empty();
+    // the fast evaluation wants two positive ends; a lower one at the pole counts for nothing
+    const bool pole = x.lo <= 0;
+    bounds r = elementary::logarithm_pair(pole ? x.hi : x.lo, x.hi);
+    r.lo = pole ? -checking::infinity : r.lo;
+    return r;
+  }
+#endif
+  return elementary::logarithm_each(x.lo, x.hi);
+}
 bounds log2::value(bounds x) { return logarithm<point::log2>(x.lo, x.hi, 0); }
 bounds log10::value(bounds x) { return logarithm<point::log10>(x.lo, x.hi, 0); }
 bounds logp1::value(bounds x) { return logarithm<point::logp1>(x.lo, x.hi, -1); }

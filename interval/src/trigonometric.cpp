@@ -1,4 +1,6 @@
+#include "elementary/angle_pair.hpp"
 #include "elementary/monotone.hpp"
+#include "elementary/sine_pair.hpp"
 #include <graze/functions/trigonometric.hpp>
 
 namespace graze::functions {
@@ -52,7 +54,8 @@ int multiples_between(const quarter& a, const quarter& b, double width) {
 
 /// sin (Shift = 0) or cos (Shift = 1; cos x = sin(x + pi/2)) over [lo, hi]. Function is that of the
 /// two.
-template <class Function, int Shift> bounds wave(double lo, double hi) {
+template <class Function, int Shift>
+__attribute__((noinline)) bounds wave_by_each(double lo, double hi) {
   if (lo != lo)
     return bounds::empty();
   constexpr bounds all{-1, 1};
@@ -93,6 +96,17 @@ template <class Function, int Shift> bounds wave(double lo, double hi) {
   return greatest ? bounds{range.lo, 1} : bounds{-1, range.hi};
 }
 
+template <class Function, int Shift> bounds wave(double lo, double hi) {
+#if defined(__x86_64__)
+  if (point::core_math::fused) {
+    const bounds range = elementary::wave_if_decided(lo, hi, Shift);
+    if (__builtin_expect(!range.is_empty(), 1))
+      return range;
+  }
+#endif
+  return wave_by_each<Function, Shift>(lo, hi);
+}
+
 /// Does [lo, hi], bounded, hold an odd multiple of pi/2?
 bool has_pole(double lo, double hi) {
   const double width = hi - lo;
@@ -103,15 +117,26 @@ bool has_pole(double lo, double hi) {
   return crossed >= 2 || (crossed == 1 && a.number() % 2 == 0);
 }
 
+__attribute__((noinline)) bounds tangent_by_each(const bounds& x) {
+  if (!x.is_common())
+    return x.is_empty() ? bounds::empty() : bounds::entire();
+  return has_pole(x.lo, x.hi) ? bounds::entire() : elementary::increasing<point::tan>(x.lo, x.hi);
+}
+
 } // namespace
 
 bounds sin::value(bounds x) { return wave<point::sin, 0>(x.lo, x.hi); }
 bounds cos::value(bounds x) { return wave<point::cos, 1>(x.lo, x.hi); }
 
 bounds tan::value(bounds x) {
-  if (!x.is_common())
-    return x.is_empty() ? bounds::empty() : bounds::entire();
-  return has_pole(x.lo, x.hi) ? bounds::entire() : elementary::increasing<point::tan>(x.lo, x.hi);
+#if defined(__x86_64__)
+  if (point::core_math::fused) {
+    const bounds range = elementary::tangent_if_decided(x.lo, x.hi);
+    if (__builtin_expect(!range.is_empty(), 1))
+      return range;
+  }
+#endif
+  return tangent_by_each(x);
 }
 
 bounds asin::value(bounds x) {
@@ -137,6 +162,21 @@ decoration asin::local(bounds x) { return elementary::continuous(-1 <= x.lo && x
 decoration acos::local(bounds x) { return elementary::continuous(-1 <= x.lo && x.hi <= 1); }
 decoration atan::local(bounds x) { return everywhere(x); }
 
+namespace {
+/// atan2 over a box that holds no points on both sides of the cut; not empty, nor y = [0, 0].
+__attribute__((noinline)) bounds angle_by_each(const bounds& y, const bounds& x) {
+  // + 0.0: a zero of negative sign would be taken for the other side of the cut.
+  const point::atan2::scope scope;
+  if (y.lo >= 0)
+    return {point::atan2::down((x.hi > 0 ? y.lo : y.hi) + 0.0, x.hi),
+            point::atan2::up((x.lo < 0 ? y.lo : y.hi) + 0.0, x.lo)};
+  if (y.hi <= 0)
+    return {point::atan2::down(x.lo < 0 ? y.hi : y.lo, x.lo),
+            point::atan2::up(x.hi > 0 ? y.hi : y.lo, x.hi)};
+  return {point::atan2::down(y.lo, x.lo), point::atan2::up(y.hi, x.lo)};
+}
+} // namespace
+
 /// Above the x axis the angle decreases with x; it decreases with y where x < 0 and increases where
 /// x > 0. Below it is the mirror image. So each extreme is at a corner, none of them (0, 0) but
 /// where y = [0, 0], nor with two infinite coordinates.
@@ -150,15 +190,14 @@ bounds atan2::value(bounds y, bounds x) {
       return bounds::empty();
     return {x.hi > 0 ? 0 : pi_down, x.lo < 0 ? pi_up : 0};
   }
-  // + 0.0: a zero of negative sign would be taken for the other side of the cut.
-  const point::atan2::scope scope;
-  if (y.lo >= 0)
-    return {point::atan2::down((x.hi > 0 ? y.lo : y.hi) + 0.0, x.hi),
-            point::atan2::up((x.lo < 0 ? y.lo : y.hi) + 0.0, x.lo)};
-  if (y.hi <= 0)
-    return {point::atan2::down(x.lo < 0 ? y.hi : y.lo, x.lo),
-            point::atan2::up(x.hi > 0 ? y.hi : y.lo, x.hi)};
-  return {point::atan2::down(y.lo, x.lo), point::atan2::up(y.hi, x.lo)};
+#if defined(__x86_64__)
+  if (point::core_math::fused) {
+    const bounds range = elementary::angle_if_decided(y.lo, y.hi, x.lo, x.hi);
+    if (__builtin_expect(!range.is_empty(), 1))
+      return range;
+  }
+#endif
+  return angle_by_each(y, x);
 }
 
 /// Defined but in (0, 0). Restricted to the box it is discontinuous on the negative x axis where

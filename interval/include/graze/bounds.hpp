@@ -29,10 +29,12 @@ struct bounds {
 };
 
 template <Policies P> bounds to_bounds(const interval_of<P>& x) {
-  return boost::numeric::empty(x) ? bounds::empty() : bounds{x.lower(), x.upper()};
+  const double lo = x.lower(), hi = x.upper();
+  // not so for a NaN, for lo > hi, nor (inf - inf) for [inf, inf] and [-inf, -inf]
+  return hi - lo >= 0 ? bounds{lo, hi} : bounds::empty();
 }
 template <Policies P> interval_of<P> to_interval(const bounds& x) {
-  return x.is_empty() ? interval_of<P>::empty() : interval_of<P>(x.lo, x.hi, true);
+  return interval_of<P>(x.lo, x.hi, true);
 }
 
 } // namespace graze

@@ -1,25 +1,17 @@
 #include "exponential_pair.hpp"
 #include "exponential_table.hpp"
+#include "lanes.hpp"
 #if defined(__x86_64__)
-#include <cstdint>
-#include <immintrin.h>
-
-#define GRAZE_FUSED __attribute__((target("avx2,fma")))
 
 namespace graze::elementary {
 
 namespace {
-/// A constant in both lanes, in memory: an operand of the instruction that uses it. Quotients such
-/// as 1.0 / 6 would be left to the processor by -frounding-math.
-struct alignas(16) both_lanes {
-  double value[2];
-  constexpr both_lanes(double x) : value{x, x} {}
-  GRAZE_FUSED __attribute__((always_inline)) operator __m128d() const { return _mm_load_pd(value); }
-};
-constexpr both_lanes one(1), nudge(0x1p-60), sign(-0.0), limit(708), shift(0x1.8p+52),
-    inverse(0x1.71547652b82fep+7), step_high(0x1.62e42fefcp-8), step_low(0x1.c610ca86c3899p-44),
-    half(0.5), sixth(0x1.5555555555555p-3), reciprocal_24(0x1.5555555555555p-5),
-    reciprocal_120(0x1.1111111111111p-7), reciprocal_720(0x1.6c16c16c16c17p-10), error(0x1.04p-60);
+using namespace lanes;
+constexpr both_integers seven_bits(127);
+constexpr both_lanes limit(708), inverse(0x1.71547652b82fep+7), step_high(0x1.62e42fefcp-8),
+    step_low(0x1.c610ca86c3899p-44), sixth(0x1.5555555555555p-3),
+    reciprocal_24(0x1.5555555555555p-5), reciprocal_120(0x1.1111111111111p-7),
+    reciprocal_720(0x1.6c16c16c16c17p-10), error(0x1.04p-60);
 
 // With x = k L + r, L = ln2/128, |r| <= (1/2 + 2^-35) L < 2^-8.52, and k = 128 m + i:
 //   e^x = 2^m T e^r,  T = 2^(i/128) = high + low in [1, 2).
@@ -34,8 +26,7 @@ constexpr both_lanes one(1), nudge(0x1p-60), sign(-0.0), limit(708), shift(0x1.8
 //     2^-61 (the product low u is within; its rounding is 2^-106).
 // Hence |e^x / 2^m - (high + v)| < 2^-60 + 2^-66 = `error`, and high + v = a + b exactly with
 // a = RN(high + v) and |b| at most half the step from a to the next double on b's side.
-GRAZE_FUSED inline __attribute__((always_inline)) bool decide(double lo, double hi,
-                                                              bounds& result) {
+GRAZE_FUSED_INLINE bool decide(double lo, double hi, bounds& result) {
   __m128d ends = _mm_set_pd(hi, lo), tiny = nudge;
   // No operation below may be moved to where another mode is in force.
   asm volatile("" : "+x"(ends), "+x"(tiny));
@@ -51,7 +42,7 @@ GRAZE_FUSED inline __attribute__((always_inline)) bool decide(double lo, double 
   // Beside 1.5 2^52 the unit is 1: the sum's last bits are k.
   const __m128d shifted = _mm_add_pd(_mm_mul_pd(ends, inverse), shift);
   const __m128d k = _mm_sub_pd(shifted, shift);
-  const __m128i bits = _mm_castpd_si128(shifted), within = _mm_set1_epi64x(127);
+  const __m128i bits = _mm_castpd_si128(shifted), within = seven_bits;
   const __m128i i = _mm_and_si128(bits, within);
   const __m128i scale = _mm_slli_epi64(_mm_andnot_si128(within, bits), 52 - 7); // m, as an exponent
   const __m128d first = _mm_load_pd(&powers_of_two[_mm_cvtsi128_si64(i)].high);
@@ -77,7 +68,7 @@ GRAZE_FUSED inline __attribute__((always_inline)) bool decide(double lo, double 
   const __m128i step = _mm_add_epi64(down_if_negative, _mm_set_epi64x(1, 0));
   const __m128d bound =
       _mm_castsi128_pd(_mm_add_epi64(_mm_add_epi64(_mm_castpd_si128(a), scale), step));
-  result = {_mm_cvtsd_f64(bound), _mm_cvtsd_f64(_mm_unpackhi_pd(bound, bound))};
+  result = to_bounds(bound);
   return true;
 }
 
