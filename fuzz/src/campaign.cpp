@@ -98,6 +98,7 @@ void counts::add(const verdict& v) {
   crossed_missed += size_of(v.crossed_missed);
   touched_missed += size_of(v.touched_missed);
   gaps += v.gaps;
+  visited += size_of(v.visited);
   spurious += size_of(v.spurious);
   if ((v.findings & bit(finding::far_spurious)) != 0)
     ++far_spurious;
@@ -116,6 +117,7 @@ counts& counts::operator+=(const counts& other) {
   crossed_missed += other.crossed_missed;
   touched_missed += other.touched_missed;
   gaps += other.gaps;
+  visited += other.visited;
   spurious += other.spurious;
   far_spurious += other.far_spurious;
   order_errors += other.order_errors;

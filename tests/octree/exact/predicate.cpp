@@ -275,3 +275,45 @@ TEST_CASE("octree.determinant_sign: terms whose exponents lie thousands apart", 
   CHECK(determinant_sign({1, 1}, 1, {5, 5}, tiny) == 0);
   CHECK(determinant_sign({0, 0}, 1, {0, 0}, 1) == 0);
 }
+
+TEST_CASE("octree.determinant_sign: equals rationals at every gap of exponents",
+          "[mpfr][hardcase]") {
+  random_stream random(2026, 5);
+  const auto number = [&](int exponent) {
+    const std::uint64_t kind = random.below(4);
+    double m = kind == 0 ? 1 : 1 + static_cast<double>(random.bits(52)) * 0x1p-52;
+    if (kind == 1)
+      m = 0x1.fffffffffffffp+0;
+    return std::ldexp(m, exponent);
+  };
+  std::uint64_t wrong = 0, ties = 0;
+  for (int i = 0; i < 300'000; ++i) {
+    const int base = random.between(-300, 300);
+    exact_distance x{number(base), random.sign() * number(base + random.between(-70, 70))};
+    if (random.one_in(8))
+      x.less = 0;
+    if (x.greater < x.less)
+      std::swap(x.greater, x.less);
+    const double x_factor = number(random.between(-200, 200));
+    // y's product is x's, its factors rescaled, perhaps an ulp off; or any product of about its
+    // size
+    const int k = random.between(-100, 100);
+    exact_distance y{std::ldexp(x.greater, k), std::ldexp(x.less, k)};
+    double y_factor = std::ldexp(x_factor, -k);
+    if (random.coin()) {
+      const int other = base + k + random.between(-130, 130);
+      y = {number(other), -number(other + random.between(-70, 70))};
+    }
+    if (random.coin())
+      y_factor = fuzz::step_ulps(y_factor, random.between(-1, 1));
+    if (random.coin())
+      y.greater = fuzz::step_ulps(y.greater, random.between(0, 1));
+    const mpq_class difference = (mpq_class(x.greater) - mpq_class(x.less)) * mpq_class(x_factor) -
+                                 (mpq_class(y.greater) - mpq_class(y.less)) * mpq_class(y_factor);
+    wrong += in_all_modes([&] { return 4 + determinant_sign(x, x_factor, y, y_factor); }) !=
+             4 + sgn(difference);
+    ties += sgn(difference) == 0;
+  }
+  CHECK(wrong == 0);
+  CHECK(ties > 10'000);
+}
