@@ -6,8 +6,8 @@ namespace graze::bench {
 namespace {
 
 // CGAL::Octree (since 5.3) on a filtered kernel: do_intersect(ray, box) is decided exactly. A ray
-// is kept as two points, origin and origin + direction, so a sum that rounds is another ray; those
-// of single precision and moderate exponents do not round. Exact constructions as well (EPECK)
+// is kept as two points, origin and origin + direction, so a sum that rounds is another ray, and
+// voxels are missed (none are where the sum is exact). Exact constructions as well (EPECK)
 // would keep every ray, at many times the cost.
 using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using points = std::vector<kernel::Point_3>;
