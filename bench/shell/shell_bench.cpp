@@ -108,19 +108,21 @@ double median(std::vector<double> v) {
 } // namespace
 
 int main(int argc, char** argv) {
-  bool json = false;
+  bool json = false, libraries = false;
   std::size_t count = 1'000'000;
   int repetitions = 9;
   for (int i = 1; i < argc; ++i) {
     const std::string_view a = argv[i];
     if (a == "--json")
       json = true;
+    else if (a == "--libraries")
+      libraries = true;
     else if (a.starts_with("--rays="))
       count = static_cast<std::size_t>(std::max(1l, std::atol(argv[i] + 7)));
     else if (a.starts_with("--repetitions="))
       repetitions = std::max(1, std::atoi(argv[i] + 14));
     else {
-      std::fprintf(stderr, "usage: shell_bench [--rays=N] [--repetitions=N] [--json]\n");
+      std::fprintf(stderr, "usage: shell_bench [--rays=N] [--repetitions=N] [--libraries] [--json]\n");
       return 2;
     }
   }
@@ -145,6 +147,9 @@ int main(int argc, char** argv) {
 #endif
   peers.push_back(revelles_peer(s));
   peers.push_back(gargantini_peer(s));
+  if (libraries)
+    for (peer& p : library_peers(s))
+      peers.push_back(std::move(p));
 
   findings truth, said;
   peers.front().trace(0, count, truth);
