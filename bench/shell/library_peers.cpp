@@ -1,4 +1,4 @@
-// The traversals of bench/peers (PCL, CGAL, OctoMap, OpenVDB, Revelles on another tree) in
+// The traversals of bench/peers (PCL, CGAL, OctoMap, OpenVDB, Revelles) in
 // shell_bench's scene.
 #include "../peers/peers.hpp"
 #include "peer.hpp"

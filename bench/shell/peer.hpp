@@ -43,7 +43,6 @@ inline std::uint64_t packed(const octree::root_cube& root, const octree::cube& c
 }
 
 peer gargantini_peer(const scene&);
-peer revelles_peer(const scene&);
 peer embree_peer(const scene&);
 /// The libraries of bench/peers that were found; some take minutes for 10^6 rays.
 std::vector<peer> library_peers(const scene&);

@@ -108,21 +108,21 @@ double median(std::vector<double> v) {
 } // namespace
 
 int main(int argc, char** argv) {
-  bool json = false, libraries = false;
+  bool json = false, libraries = true;
   std::size_t count = 1'000'000;
   int repetitions = 9;
   for (int i = 1; i < argc; ++i) {
     const std::string_view a = argv[i];
     if (a == "--json")
       json = true;
-    else if (a == "--libraries")
-      libraries = true;
+    else if (a == "--no-libraries")
+      libraries = false;
     else if (a.starts_with("--rays="))
       count = static_cast<std::size_t>(std::max(1l, std::atol(argv[i] + 7)));
     else if (a.starts_with("--repetitions="))
       repetitions = std::max(1, std::atoi(argv[i] + 14));
     else {
-      std::fprintf(stderr, "usage: shell_bench [--rays=N] [--repetitions=N] [--libraries] [--json]\n");
+      std::fprintf(stderr, "usage: shell_bench [--rays=N] [--repetitions=N] [--no-libraries] [--json]\n");
       return 2;
     }
   }
@@ -145,7 +145,6 @@ int main(int argc, char** argv) {
 #ifdef GRAZE_BENCH_EMBREE
   peers.push_back(embree_peer(s));
 #endif
-  peers.push_back(revelles_peer(s));
   peers.push_back(gargantini_peer(s));
   if (libraries)
     for (peer& p : library_peers(s))
