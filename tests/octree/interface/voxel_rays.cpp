@@ -1,5 +1,6 @@
 // Rays through voxel sets against the exact oracle: adversarial rays, both conventions, both modes,
 // all paths.
+#include "../../support/test_inputs.hpp"
 #include "adversarial.hpp"
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -12,7 +13,7 @@ using namespace graze;
 using namespace graze::interface_tests;
 
 namespace {
-constexpr std::uint64_t trials_a_generator = 20'000;
+const auto trials_a_generator = static_cast<std::uint64_t>(test::input_count() / 5);
 
 /// The owners of the occupied octants in the order of t.
 std::vector<fuzz::voxel> owners(const fuzz::truth& is, fuzz::voxel_set occupied) {
