@@ -193,7 +193,7 @@ Proof.
   intros g n c i [X [Y Z]].
   destruct (mid_exact prec emax m _ _ _ _ X) as [_ MX], (mid_exact prec emax m _ _ _ _ Y) as [_ MY],
     (mid_exact prec emax m _ _ _ _ Z) as [_ MZ], (size_exact prec emax m _ _ _ _ X) as [_ S].
-  unfold real_cell, real_child, real_three, mid_plane. simpl. rewrite !if_B2R, MX, MY, MZ, S. reflexivity.
+  unfold real_cell, real_child, real_three, mid_plane, child. simpl. rewrite !if_B2R, MX, MY, MZ, S. reflexivity.
 Qed.
 
 Lemma edge_positive : forall g n c, on_grid g n c -> 0 < edge (real_cell c).
@@ -279,6 +279,42 @@ Proof. intros side i Hs Hi. eapply nth_error_In. now apply position_correct. Qed
 Lemma origin_sides_below_8 : forall r c, (origin_sides m r c < 8)%N.
 Proof. intros r c. apply index_of_below_8. Qed.
 
+(** What [split] is, and no more, is used of it. *)
+Lemma in_split : forall cv c s i T, (i < 8)%N -> 0 <= T -> state_encloses (child_state m b cv ray c s i) T ->
+  In i (split m b cv ray c s).
+Proof.
+  intros cv c s i T Hi HT S. unfold split. apply filter_In. split.
+  - apply in_visiting_order; [apply origin_sides_below_8 | exact Hi].
+  - now apply passed_encloses with (2 := S).
+Qed.
+
+Lemma split_below_8 : forall cv c s i, In i (split m b cv ray c s) -> (i < 8)%N.
+Proof.
+  intros cv c s i H. unfold split in H. apply filter_In in H. destruct H as [H _].
+  generalize (origin_sides_below_8 ray c) H. generalize (origin_sides m ray c). clear. intros side Hs H.
+  destruct (below_8 side Hs) as [E|[E|[E|[E|[E|[E|[E|E]]]]]]]; subst side;
+    simpl in H; intuition (subst i; reflexivity).
+Qed.
+
+Lemma sorted_filter : forall (A : Type) (R : A -> A -> Prop) (f : A -> bool) l,
+  StronglySorted R l -> StronglySorted R (filter f l).
+Proof.
+  intros A R f l S. induction S as [|x l S IH F]; simpl; [constructor|].
+  destruct (f x); [|exact IH]. constructor; [exact IH|].
+  apply Forall_forall. intros y Hy. apply filter_In in Hy. rewrite Forall_forall in F. now apply F.
+Qed.
+
+Lemma visiting_order_sorted : forall side, (side < 8)%N ->
+  StronglySorted (fun i j => (position side i < position side j)%N) (visiting_order side).
+Proof.
+  intros side H. destruct (below_8 side H) as [E|[E|[E|[E|[E|[E|[E|E]]]]]]]; subst side;
+    unfold visiting_order, position; simpl; repeat (constructor; try reflexivity).
+Qed.
+
+Lemma split_sorted : forall cv c s, StronglySorted
+  (fun i j => (position (origin_sides m ray c) i < position (origin_sides m ray c) j)%N) (split m b cv ray c s).
+Proof. intros. apply sorted_filter, visiting_order_sorted, origin_sides_below_8. Qed.
+
 (** All octants on a path below [here] are kept. *)
 Definition all_kept (here q : path) : Prop :=
   forall p s, q = p ++ s -> p <> [] -> kept (here ++ p) = true.
@@ -290,6 +326,9 @@ Proof.
   - apply (H [i] q); [reflexivity | discriminate].
   - intros p s E Hp. rewrite <- app_assoc. apply (H (i :: p) s); [simpl; now rewrite E | discriminate].
 Qed.
+
+Local Opaque Model_descent.split Model_descent.child Model_descent.child_state
+  Model_descent.enter_root Model_descent.passed.
 
 (** The descent reports every path that follows a point of the ray. *)
 Lemma visits_follows : forall cv g q n here c s t, length q = n -> on_grid g n c -> 0 <= t ->
@@ -309,9 +348,7 @@ Proof.
       - now rewrite (child_exact g (length q)). }
     apply in_map_iff in H. destruct H as [[r k] [E H]]. exists (r, k). split; [exact E|].
     apply in_flat_map. exists i. split.
-    + unfold split. apply filter_In. split.
-      * apply in_visiting_order; [apply origin_sides_below_8 | exact Hi].
-      * apply passed_encloses with (2 := S'). apply Rmult_le_pos; [apply Rlt_le, scale_pos | exact Ht].
+    + apply in_split with (3 := S'); [exact Hi | apply Rmult_le_pos; [apply Rlt_le, scale_pos | exact Ht]].
     + now rewrite A1.
 Qed.
 
@@ -446,21 +483,6 @@ Proof.
     rewrite Forall_forall in F. exact (K x a (F a Ia) u v Hu Iv).
 Qed.
 
-Lemma sorted_filter : forall (A : Type) (R : A -> A -> Prop) (f : A -> bool) l,
-  StronglySorted R l -> StronglySorted R (filter f l).
-Proof.
-  intros A R f l S. induction S as [|x l S IH F]; simpl; [constructor|].
-  destruct (f x); [|exact IH]. constructor; [exact IH|].
-  apply Forall_forall. intros y Hy. apply filter_In in Hy. rewrite Forall_forall in F. now apply F.
-Qed.
-
-Lemma visiting_order_sorted : forall side, (side < 8)%N ->
-  StronglySorted (fun i j => (position side i < position side j)%N) (visiting_order side).
-Proof.
-  intros side H. destruct (below_8 side H) as [E|[E|[E|[E|[E|[E|[E|E]]]]]]]; subst side;
-    unfold visiting_order, position; simpl; repeat (constructor; try reflexivity).
-Qed.
-
 (** The origin's bits are those of the half-open rule on reals. *)
 Lemma origin_sides_exact : forall g n c, on_grid g (S n) c ->
   origin_sides m ray c = owner (real_cell c) (real_three o).
@@ -502,14 +524,6 @@ Proof.
     rewrite IH, map_map. apply map_ext. intros q. now rewrite <- app_assoc.
 Qed.
 
-Lemma split_below_8 : forall cv c s i, In i (split m b cv ray c s) -> (i < 8)%N.
-Proof.
-  intros cv c s i H. unfold split in H. apply filter_In in H. destruct H as [H _].
-  generalize (origin_sides_below_8 ray c) H. generalize (origin_sides m ray c). clear. intros side Hs H.
-  destruct (below_8 side Hs) as [E|[E|[E|[E|[E|[E|[E|E]]]]]]]; subst side;
-    simpl in H; intuition (subst i; reflexivity).
-Qed.
-
 (** Every path in the list is of the last level and kept. *)
 Lemma suffixes_kept : forall cv n here c s q, In q (suffixes cv n here c s) ->
   length q = n /\ Forall (fun i => (i < 8)%N) q /\ all_kept here q.
@@ -533,7 +547,7 @@ Proof.
   intros cv g. induction n as [|n IH]; intros here c s G; simpl; [repeat constructor|].
   apply sorted_flat_map with (R := fun i j =>
     (position (origin_sides m ray c) i < position (origin_sides m ray c) j)%N).
-  - apply sorted_filter, visiting_order_sorted, origin_sides_below_8.
+  - apply split_sorted.
   - intros i _. destruct (kept (here ++ [i])); [|constructor].
     assert (S := IH (here ++ [i]) (child m c i) (child_state m b cv ray c s i) (child_on_grid _ _ m g n c i G)).
     rewrite (child_exact g n _ _ G) in S.

@@ -1,9 +1,9 @@
 (** The descent of octree/include/graze/octree over double, joined: coordinates (Coordinates.v), the
-    test (Never_miss.v), order (Order.v) and the descent (Descent.v), for the backends whose
-    operations are IEEE 754's directed ones ([directed], [upward]), in any rounding mode of the scope,
-    for every finite ray and every tree.
+    test (Never_miss.v), order (Order.v) and the descent (Descent.v), for every backend whose bounds
+    enclose, in any rounding mode of its scope, for every finite ray and every tree.
 
-    - [bounds_enclose_directed], [bounds_enclose_upward]: both backends' bounds enclose, at any format.
+    - [bounds_enclose_directed], [bounds_enclose_upward]: two backends' bounds do, at any format;
+      [bounds_enclose_backend]: and those of each whose operations are IEEE 754's directed ones.
     - [closed_binary64], [owned_binary64], [order_binary64]: what a descent reports and in which order,
       from a root whose octants are exact at its level.
     - [closed_unit_root], [owned_unit_root], [order_unit_root]: the same on [0, 2^E]^3 with NL <= 53,
@@ -30,6 +30,18 @@ Qed.
 Theorem bounds_enclose_upward : bounds_enclose prec emax (upward prec emax).
 Proof. rewrite upward_is_directed. exact bounds_enclose_directed. Qed.
 
+Theorem bounds_enclose_backend : forall b : backend prec emax,
+  (forall x y, sub_down _ _ b x y = Bminus mode_DN x y) ->
+  (forall x y, sub_up _ _ b x y = Bminus mode_UP x y) ->
+  (forall x y, mul_down _ _ b x y = Bmult mode_DN x y) ->
+  (forall x y, mul_up _ _ b x y = Bmult mode_UP x y) -> bounds_enclose prec emax b.
+Proof.
+  intros b SD SU MD MU o d d1 d2 p q Fo Fd F1 F2 Fp Fq.
+  pose proof (bounds_enclose_directed o d d1 d2 p q Fo Fd F1 F2 Fp Fq) as H.
+  unfold lowb, uppb, prepare_axis in *. cbn -[Bmult Bminus below above] in *.
+  now rewrite !SD, !SU, !MD, !MU.
+Qed.
+
 End Backends.
 
 Local Instance prec53 : Prec_gt_0 53 := eq_refl.
@@ -44,7 +56,7 @@ Notation backend64 := (backend 53 1024).
 Section Binary64.
 Variable m : mode.
 Variable b : backend64.
-Hypothesis rounds : b = directed 53 1024 \/ b = upward 53 1024.
+Hypothesis encloses64 : bounds_enclose 53 1024 b.
 Variables o d : three binary64.
 Hypothesis (Fo : finite3 53 1024 o) (Fd : finite3 53 1024 d).
 Variable kept : path -> bool.
@@ -56,9 +68,6 @@ Notation reported cv root level :=
 (** A path to an octant of that level which the tree keeps with all its ancestors. *)
 Definition octant_path (level : nat) (q : path) : Prop :=
   length q = level /\ Forall (fun i => (i < 8)%N) q /\ all_kept kept [] q.
-
-Lemma encloses64 : bounds_enclose 53 1024 b.
-Proof. destruct rounds as [-> | ->]; [apply bounds_enclose_directed | apply bounds_enclose_upward]. Qed.
 
 (** `closed`: every octant of the last level that the ray touches at a real t >= 0, whose ancestors
     are kept, is reported. *)
