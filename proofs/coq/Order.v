@@ -7,10 +7,10 @@
     - [children_front_to_back]: a ray's points at t1 <= t2 are owned by children whose positions in the
       visiting order are in that order, for every origin and direction, zero components included.
     - [owned_front_to_back]: the same for the octants of any depth: paths in lexicographic order of
-      positions; [lexicographic_visits]: such is the order of the recursion that descend() is.
+      positions, which is the order of the descent (Descent.v, [reported_sorted]).
     - [closed_no_order]: for closed octants and the ray o = (1/4, 0, 1/2), d = (0, 1, 0) no order
-      "index XOR side", with any side, is front to back. [closed_counterexample_paper]: with the
-      paper's rule (bit where origin > mid) child 2 comes before child 4, which the ray reaches first;
+      "index XOR side", with any side, is front to back. [closed_counterexample_strict]: with the
+      bits origin > mid child 2 comes before child 4, which the ray reaches first;
       [closed_counterexample]: with the rule of sound.hpp child 6 comes before child 0. *)
 From Coq Require Import ZArith NArith Reals Bool List Lia Lra.
 From Flocq Require Import Core.
@@ -306,8 +306,8 @@ Definition out_of_order (side first second : N) : Prop :=
 
 Ltac touched := unfold touched_at, inside, within_closed, real_child, mid_plane; simpl; lra.
 
-(** With the paper's bits (origin > mid: none here), child 2 is visited before child 4. *)
-Theorem closed_counterexample_paper : out_of_order (index_of false false false) 2 4.
+(** With the bits origin > mid (none is set here), child 2 is visited before child 4. *)
+Theorem closed_counterexample_strict : out_of_order (index_of false false false) 2 4.
 Proof.
   split; [reflexivity|]. exists 0, (1 / 2). repeat split; try touched; try lra.
   intros u Hu. unfold touched_at, inside, within_closed, real_child, mid_plane. simpl. lra.
@@ -326,7 +326,7 @@ Qed.
 Theorem closed_no_order : forall side, (side < 8)%N -> exists first second, out_of_order side first second.
 Proof.
   assert (A : forall side, (position side 2 < position side 4)%N -> out_of_order side 2 4).
-  { intros side P. split; [exact P|]. apply closed_counterexample_paper. }
+  { intros side P. split; [exact P|]. apply closed_counterexample_strict. }
   assert (B : forall side, (position side 6 < position side 0)%N -> out_of_order side 6 0).
   { intros side P. split; [exact P|]. apply closed_counterexample. }
   intros side H. destruct (below_8 side H) as [E|[E|[E|[E|[E|[E|[E|E]]]]]]]; subst side;
