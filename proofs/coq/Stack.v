@@ -4,11 +4,22 @@
     - [loop_correct]: with enough turns, descend() visits the cells of [Model_descent.descend] in
       that order up to and including the first at which the visitor returns true, and returns
       whether there was one. [loop_all]: a visitor that never stops sees the whole list.
+    - [loop_within_arrays]: it stays within arrays of [level] frames and of eight children.
     - [loop_deterministic]: more turns change nothing. *)
 From Coq Require Import ZArith NArith Bool List Lia.
 From Flocq Require Import Core BinarySingleNaN.
 From Graze Require Import Model Model_descent.
 Import ListNotations.
+
+(** A cell has eight children at most. *)
+Lemma split_at_most_8 : forall prec emax {Hprec : Prec_gt_0 prec} {Hmax : Prec_lt_emax prec emax} m b cv ray c s,
+  (length (split prec emax m b cv ray c s) <= 8)%nat.
+Proof.
+  intros prec emax Hprec Hmax m b cv ray c s. unfold split.
+  assert (H : forall (f : N -> bool) l, (length (filter f l) <= length l)%nat)
+    by (intros f; induction l as [|x l IH]; simpl; [lia | destruct (f x); simpl; lia]).
+  apply H.
+Qed.
 
 (* The loop's text matters here, not what it computes for a cell. *)
 Local Opaque Model_descent.split Model_descent.child Model_descent.child_state
@@ -164,6 +175,58 @@ Proof.
   exists (k + 1). intros turns T. replace turns with (k + S (turns - k - 1)) by lia. rewrite Hk.
   set (l := visits _ _ _ _). unfold after. simpl.
   destruct (existsb visit l) eqn:E; [reflexivity|]. simpl. now rewrite app_nil_r, until_none.
+Qed.
+
+(** The same loop with the C++ arrays' bounds: None where the stack would hold more than [level] frames,
+    or a frame more than eight children. *)
+Fixpoint guarded_loop (turns level : nat) (stack : list frame) : option (list leaf * bool) :=
+  if (Nat.ltb level (length stack) || existsb (fun f => Nat.ltb 8 (length (children f))) stack)%bool then None else
+  match turns with
+  | O => None
+  | S turns =>
+      match stack with
+      | [] => Some ([], false)
+      | f :: below =>
+          match children f with
+          | [] => guarded_loop turns level below
+          | (i, s) :: next =>
+              let f' := {| node := node f; cell := cell f; children := next |} in
+              if kept (node f ++ [i])
+              then let at_ := (node f ++ [i], child (cell f) i) in
+                   if Nat.eqb (length below + 1) level
+                   then if visit at_ then Some ([at_], true)
+                        else option_map (fun r => (at_ :: fst r, snd r)) (guarded_loop turns level (f' :: below))
+                   else guarded_loop turns level (open (fst at_) (snd at_) s :: f' :: below)
+              else guarded_loop turns level (f' :: below)
+          end
+      end
+  end.
+
+Lemma open_at_most_8 : forall here c s, (length (children (open here c s)) <= 8)%nat.
+Proof.
+  intros here c s. unfold open. simpl. rewrite map_length. apply split_at_most_8.
+Qed.
+
+(** No array is left: the stack never holds more frames than there are levels, nor a frame more than
+    eight children. *)
+Theorem loop_within_arrays : forall turns level stack, (length stack <= level)%nat ->
+  Forall (fun f => (length (children f) <= 8)%nat) stack ->
+  guarded_loop turns level stack = loop turns level stack.
+Proof.
+  induction turns as [|turns IH]; intros level stack L F; simpl;
+  replace (Nat.ltb level (length stack)) with false by (symmetry; now apply Nat.ltb_ge);
+  replace (existsb _ stack) with false by
+    (symmetry; clear - F; induction F as [|f l H F IH]; simpl; [reflexivity|];
+     rewrite IH, orb_false_r; now apply Nat.ltb_ge); simpl; [reflexivity|].
+  destruct stack as [|f below]; [reflexivity|]. inversion F as [|x y Hf Fb E]; subst. simpl in L.
+  destruct (children f) as [|[i s] next]; [apply IH; [lia | exact Fb]|]. simpl in Hf.
+  assert (F' : Forall (fun f => (length (children f) <= 8)%nat)
+                 ({| node := node f; cell := cell f; children := next |} :: below))
+    by (constructor; [simpl; lia | exact Fb]).
+  destruct (kept (node f ++ [i])); [| apply IH; [simpl; lia | exact F']].
+  destruct (Nat.eqb_spec (length below + 1) level) as [_|N].
+  - destruct (visit _); [reflexivity|]. now rewrite IH by (simpl; lia || exact F').
+  - apply IH; [simpl; lia|]. constructor; [apply open_at_most_8 | exact F'].
 Qed.
 
 (** More turns change nothing. *)
