@@ -2,7 +2,7 @@
     written out as OCaml. proofs/tie compares it with the C++ code bit for bit.
 
     Nothing is defined anew but names: the format, the two backends, and numbers as their 64 bits by
-    Flocq's reading of the interchange format. [agree] is what proofs/tie asks of each backend.
+    Flocq's reading of the interchange format.
 
     Trusted here: Coq's extraction; [ExtrOcamlZBigInt], which turns [Z] into Zarith's integers; and
     three functions that go bit by bit in Coq (a million times slower than needed on exponents that
@@ -38,13 +38,13 @@ Definition upward_backend : backend 53 1024 := @upward 53 1024 Hprec Hmax.
 Definition prepare_ray (b : backend 53 1024) : three number -> three number -> three (axis 53 1024) :=
   @prepare 53 1024 Hprec Hmax b.
 
-(** The cell's planes; exact in a root_cube, whatever the mode. *)
-Definition hi_plane : number -> number -> number := @hi_at 53 1024 Hprec Hmax mode_NE.
-Definition mid_plane : number -> number -> number := @mid_at 53 1024 Hprec Hmax mode_NE.
-Definition root_state : backend 53 1024 -> three (axis 53 1024) -> cube 53 1024 -> state 53 1024 :=
-  @enter_root 53 1024 Hprec Hmax mode_NE.
-Definition children := @split 53 1024 Hprec Hmax mode_NE.
-Definition descent := @descend 53 1024 Hprec Hmax mode_NE.
+(** The cell's planes, in the mode given: exact in a root_cube in any, but for the sign of a plane
+    that is 0. *)
+Definition hi_plane : mode -> number -> number -> number := @hi_at 53 1024 Hprec Hmax.
+Definition mid_plane : mode -> number -> number -> number := @mid_at 53 1024 Hprec Hmax.
+Definition root_state := @enter_root 53 1024 Hprec Hmax.
+Definition children := @split 53 1024 Hprec Hmax.
+Definition descent := @descend 53 1024 Hprec Hmax.
 
 Definition digits_as_defined := Eval unfold digits2_pos in digits2_pos.
 Definition shift_as_defined := Eval unfold shift_pos in shift_pos.
@@ -62,5 +62,5 @@ Extraction Language OCaml.
 Set Warnings "-extraction-opaque-accessed".
 Extraction "model.ml" of_bits to_bits directed_backend upward_backend prepare_ray lowb uppb enter_at
   leave_at within common passes2 passes touches_box half origin_side hi_plane mid_plane root_state
-  passed children descent visiting_order digits_as_defined shift_as_defined shr_as_defined digits2_pos
+  passed children descent digits_as_defined shift_as_defined shr_as_defined digits2_pos
   shift_pos shr.

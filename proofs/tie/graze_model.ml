@@ -14,6 +14,11 @@ let pattern token =
   if String.contains token 'x' then Int64.bits_of_float (float_of_string token)
   else Int64.of_string ("0x" ^ token ^ String.make (16 - String.length token) '0')
 
+let shortened p =
+  let digits = Printf.sprintf "%016Lx" p in
+  let rec length n = if n > 1 && digits.[n - 1] = '0' then length (n - 1) else n in
+  String.sub digits 0 (length 16)
+
 let two_64 = Integer.shift_left Integer.one 64
 let of_pattern p =
   let z = Integer.of_int64 p in
@@ -43,12 +48,19 @@ let bit b = if b then "1" else "0"
 let digits list = if list = [] then "-" else String.concat "" (List.map Integer.to_string list)
 
 type line = {
+  text : string; (* the question as patterns *)
   o : number three; d : number three; lo : number three; hi : number three; mid : number three;
   edge : number option; tree : bool }
 
 let map f v = { at_x = f v.at_x; at_y = f v.at_y; at_z = f v.at_z }
 
-let answer b show l =
+let negative x = Int64.compare (to_pattern x) 0L < 0
+
+let answer b m show l =
+  let cell_plane plane given = match l.edge with
+    | None -> given
+    | Some size -> map (fun lo -> plane m lo size) l.lo in
+  let hi = cell_plane hi_plane l.hi and mid = cell_plane mid_plane l.mid in
   let a = { fold = start; verdicts = []; show } in
   let ray = prepare_ray b l.o l.d in
   let of_axis name axis lo hi mid =
@@ -68,9 +80,9 @@ let answer b show l =
     number a (name ^ ".within<closed>.leave") closed.leave;
     closed
   in
-  let x = of_axis "x" ray.at_x l.lo.at_x l.hi.at_x l.mid.at_x in
-  let y = of_axis "y" ray.at_y l.lo.at_y l.hi.at_y l.mid.at_y in
-  let z = of_axis "z" ray.at_z l.lo.at_z l.hi.at_z l.mid.at_z in
+  let x = of_axis "x" ray.at_x l.lo.at_x hi.at_x mid.at_x in
+  let y = of_axis "y" ray.at_y l.lo.at_y hi.at_y mid.at_y in
+  let z = of_axis "z" ray.at_z l.lo.at_z hi.at_z mid.at_z in
   let both name p q =
     let c = common prec emax p q in
     number a (name ^ ".enter") c.enter;
@@ -80,15 +92,15 @@ let answer b show l =
   both "common(y,x)" y x;
   both "common(y,z)" y z;
   let side axis mid = if origin_side prec emax axis mid then 1 else 0 in
-  let sides = side ray.at_x l.mid.at_x lor side ray.at_y l.mid.at_y lsl 1
-              lor side ray.at_z l.mid.at_z lsl 2 in
-  verdict a "touches" (bit (touches_box prec emax b ray l.lo l.hi));
+  let sides = side ray.at_x mid.at_x lor side ray.at_y mid.at_y lsl 1
+              lor side ray.at_z mid.at_z lsl 2 in
+  verdict a "touches" (bit (touches_box prec emax b ray l.lo hi));
   verdict a "passes(x,y)" (bit (passes2 prec emax x y));
   verdict a "origin_side" (string_of_int sides);
   let mask cv =
     let halves axis at_ mid = Array.map (half prec emax b cv axis at_ mid) [| false; true |] in
-    let hx = halves ray.at_x x l.mid.at_x and hy = halves ray.at_y y l.mid.at_y
-    and hz = halves ray.at_z z l.mid.at_z in
+    let hx = halves ray.at_x x mid.at_x and hy = halves ray.at_y y mid.at_y
+    and hz = halves ray.at_z z mid.at_z in
     let m = ref 0 in
     for i = 0 to 7 do
       if passes prec emax hx.(i land 1) hy.(i lsr 1 land 1) hz.(i lsr 2) then m := !m lor (1 lsl i)
@@ -101,16 +113,16 @@ let answer b show l =
    | None -> ()
    | Some size ->
      let root : cube = { Model.lo = l.lo; size } in
-     let state = root_state b ray root in
+     let state = root_state m b ray root in
      verdict a "entered" (bit (passed prec emax state));
-     let order name cv = verdict a name (digits (children b cv ray root state)) in
+     let order name cv = verdict a name (digits (children m b cv ray root state)) in
      order "split<closed>" Closed;
      order "split<owned>" Owned;
      if l.tree then begin
        (* a tree of three levels that holds every cell but those whose indices sum up to 4 modulo 5 *)
        let kept path = List.fold_left (fun n i -> n + Integer.to_int i) 0 path mod 5 <> 4 in
        let visits name cv =
-         let seen = descent b cv ray kept root (S (S (S O))) in
+         let seen = descent m b cv ray kept root (S (S (S O))) in
          let h = List.fold_left (fun h (path, cell) ->
              let h = List.fold_left (fun h i -> fold h (Int64.of_int (Integer.to_int i))) h path in
              List.fold_left (fun h x -> fold h (to_pattern x)) h
@@ -150,22 +162,23 @@ let check_substitutes () =
 
 let parse line =
   let tokens = List.filter (( <> ) "") (String.split_on_char ' ' line) in
-  let kind, numbers =
+  let kind, patterns =
     match tokens with
     | kind :: rest ->
       (* what stands after a colon is an answer *)
       let rec upto = function [] | ":" :: _ -> [] | t :: r -> t :: upto r in
-      (kind, Array.of_list (List.map (fun t -> of_pattern (pattern t)) (upto rest)))
+      (kind, List.map pattern (upto rest))
     | [] -> fail line "an empty line"
   in
+  let text = String.concat " " (kind :: List.map shortened patterns) in
+  let numbers = Array.of_list (List.map of_pattern patterns) in
   let three i = { at_x = numbers.(i); at_y = numbers.(i + 1); at_z = numbers.(i + 2) } in
   match kind, Array.length numbers with
-  | "b", 15 -> { o = three 0; d = three 3; lo = three 6; hi = three 9; mid = three 12; edge = None;
+  | "b", 15 -> { text; o = three 0; d = three 3; lo = three 6; hi = three 9; mid = three 12; edge = None;
                  tree = false }
   | ("c" | "t"), 10 ->
     let size = numbers.(9) and lo = three 6 in
-    { o = three 0; d = three 3; lo; hi = map (fun l -> hi_plane l size) lo;
-      mid = map (fun l -> mid_plane l size) lo; edge = Some size; tree = kind = "t" }
+    { text; o = three 0; d = three 3; lo; hi = lo; mid = lo; edge = Some size; tree = kind = "t" }
   | _ -> fail line "neither b with 15 numbers nor c or t with 10"
 
 let () =
@@ -178,11 +191,17 @@ let () =
       else begin
         let l = try parse line with Failure _ | Invalid_argument _ -> fail line "not numbers" in
         if show then print_endline line;
-        let directed = answer directed_backend show l in
-        let upward = answer upward_backend false l in
-        if directed <> upward then fail line "the model's backends differ";
-        let input = try String.sub line 0 (String.index line ':' - 1) with Not_found -> line in
-        print_string input; print_string " : "; print_endline directed
+        let answered = answer directed_backend Mode_NE show l in
+        if answered <> answer upward_backend Mode_NE false l then
+          fail line "the model's backends differ";
+        print_string l.text; print_string " : "; print_string answered;
+        (* where it is another: with planes computed in a mode that rounds down, in which a sum of 0
+           is -0 *)
+        if l.edge <> None && List.exists negative [ l.lo.at_x; l.lo.at_y; l.lo.at_z ] then begin
+          let down = answer directed_backend Mode_DN false l in
+          if down <> answered then (print_string " ; "; print_string down)
+        end;
+        print_newline ()
       end
     done
   with End_of_file -> ()
