@@ -36,9 +36,16 @@ struct lane_path {
 
 #if defined(GRAZE_TIE_LANES)
 extern const lane_path portable_path, baseline_path, avx2_path, avx512_path;
-inline constexpr const lane_path* lane_paths[] = {&portable_path,
+inline constexpr const lane_path* lane_paths[] = {
+#if defined(GRAZE_TIE_ONE_PATH)
+    &baseline_path,
+#else
+    &portable_path,
 #if defined(__x86_64__)
-                                                  &baseline_path, &avx2_path, &avx512_path
+    &baseline_path,
+    &avx2_path,
+    &avx512_path,
+#endif
 #endif
 };
 #else
