@@ -32,3 +32,6 @@ graze_tie_variant(clang_o0 clang++ none -O0)
 graze_tie_variant(clang_o2 clang++ all -O2)
 graze_tie_variant(clang_o2_rounding clang++ none -O2 -frounding-math)
 graze_tie_variant(clang_o3_native clang++ all -O3 ${native})
+# clang tells the headers nothing of these, so that they cannot be refused: the code must hold.
+graze_tie_variant(clang_o2_associative clang++ all -O2 -fassociative-math -fno-signed-zeros
+                  -fno-trapping-math -freciprocal-math)

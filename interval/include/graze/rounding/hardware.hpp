@@ -18,6 +18,14 @@
 #error "graze: double arithmetic must round to double (not with -mfpmath=387)"
 #endif
 
+/// At the start of a block whose sums must be computed in the order written. GCC's
+/// -fassociative-math is refused by backend.hpp; clang's shows in no macro.
+#if defined(__clang__)
+#define GRAZE_IN_ORDER_WRITTEN _Pragma("clang fp reassociate(off)")
+#else
+#define GRAZE_IN_ORDER_WRITTEN
+#endif
+
 namespace graze::rounding::hardware {
 
 /// Stands for the processor's control words in the dependencies above. No instruction reads or

@@ -31,6 +31,7 @@ struct nearest {
 #endif
 
   static constexpr double add_up(double x, double y) {
+    GRAZE_IN_ORDER_WRITTEN
     if (std::is_constant_evaluated())
       return exact::add(x, y, exact::direction::up);
     hardware::pin(x), hardware::pin(y);

@@ -12,6 +12,7 @@ namespace graze::rounding::packed {
 /// ranges say where it is; `nearest` serves the rest.
 struct emulated_up {
   static GRAZE_INLINE result add(pair x, pair y) {
+    GRAZE_IN_ORDER_WRITTEN
 #if defined(__AVX512F__)
     return {embedded_add(x, y), bits{-1, -1}};
 #else
@@ -102,6 +103,7 @@ private:
 
   /// x y - p, where p is x y rounded to nearest.
   static GRAZE_INLINE pair product_error(pair x, pair y, pair p) {
+    GRAZE_IN_ORDER_WRITTEN
 #if defined(__FMA__)
     return _mm_fmsub_pd(x, y, p);
 #else
@@ -112,6 +114,7 @@ private:
   }
   /// x - q y, which is a double where q is x / y rounded to nearest, or q = y the root of x.
   static GRAZE_INLINE pair remainder(pair x, pair q, pair y) {
+    GRAZE_IN_ORDER_WRITTEN
 #if defined(__FMA__)
     return _mm_fnmadd_pd(q, y, x);
 #else
@@ -124,6 +127,7 @@ private:
   struct halves {
     pair high, low;
     GRAZE_INLINE halves(pair x) {
+      GRAZE_IN_ORDER_WRITTEN
       const pair shifted = times(both(0x1.0000002p+27), x);
       high = shifted - (shifted - x);
       low = x - high;
