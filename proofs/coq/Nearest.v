@@ -111,7 +111,7 @@ Qed.
 (** The largest finite float, written as overflow towards zero yields it. *)
 Lemma Bmax_is_overflow : B2SF (@Bmax_float prec emax _ _) = binary_overflow prec emax mode_DN false.
 Proof.
-  unfold Bmax_float. rewrite B2SF_SF2B. unfold binary_overflow. cbn [overflow_to_inf]. f_equal.
+  clear prec_more_than_1. unfold Bmax_float. rewrite B2SF_SF2B. unfold binary_overflow. cbn [overflow_to_inf]. f_equal.
   apply Pos2Z.inj.
   assert (E : Z.pos (shift_pos (Z.to_pos prec) 1) = (2 ^ prec)%Z).
   { rewrite shift_pos_correct, Z.mul_1_r. change (Z.pow_pos 2 (Z.to_pos prec)) with (2 ^ Z.pos (Z.to_pos prec))%Z.
