@@ -11,8 +11,8 @@
 
     The slow paths (exact.hpp: integer arithmetic for what those leave over) are a parameter here,
     with the hypothesis that they are correctly rounded; Exact_integer.v proves it and concludes with
-    [never_miss_nearest_binary64]. That the step of `up_if`, on the bits, is Flocq's [Bsucc] is not
-    proved: it is the model's reading of it. *)
+    [never_miss_nearest_binary64]. The step of `up_if`, on the bits, is Flocq's [Bsucc] here; Step.v
+    proves that it is. *)
 From Coq Require Import ZArith Bool Reals Lra Lia SpecFloat FunctionalExtensionality.
 From Flocq Require Import Core BinarySingleNaN Plus_error Mult_error Pff2Flocq.
 From Graze Require Import Model Negation Bounds Never_miss.
