@@ -572,3 +572,10 @@ Proof.
   intros b Hb. destruct nearest_as_coded_is_directed as [E1 E2].
   destruct Hb as [-> | ->]; rewrite ?E1, ?E2; exact never_miss_binary64.
 Qed.
+
+(** Every backend of the code is one function of its inputs: what is proved of the directed
+    operations, monotonicity among it, holds over each. *)
+Theorem backends_are_one :
+  upward 53 1024 = directed 53 1024 /\ nearest_as_coded = directed 53 1024 /\
+  nearest_fma_as_coded = directed 53 1024.
+Proof. exact (conj upward_is_directed_binary64 nearest_as_coded_is_directed). Qed.

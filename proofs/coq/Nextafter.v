@@ -1,5 +1,5 @@
 (** Rounding to nearest and then a step outwards (`nextafter`), which some implementations take for
-    directed rounding. Graze's backends are not of this kind; this shows why they need not clamp.
+    directed rounding. Graze's backends are not of this kind; this shows what one would have to add.
 
     - [nextafter_not_monotone]: with the test of ray_bounds.hpp over it, a child passes and its parent
       does not: Cdn = -2^-1074 where |dy| |dz| underflows, and `uppb` then grows as the plane recedes;
