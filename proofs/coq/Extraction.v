@@ -1,7 +1,7 @@
 (** The model as a program: the definitions of Model.v and Model_descent.v themselves, over binary64,
     written out as OCaml. proofs/tie compares it with the C++ code bit for bit.
 
-    Nothing is defined anew but names: the format, the two backends, and numbers as their 64 bits by
+    Nothing is defined anew but names: the format, the backends, and numbers as their 64 bits by
     Flocq's reading of the interchange format.
 
     Trusted here: Coq's extraction; [ExtrOcamlZBigInt], which turns [Z] into Zarith's integers; and
@@ -13,27 +13,29 @@
 From Coq Require Import ZArith List SpecFloat Zpower Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
 From Flocq Require Import Core BinarySingleNaN.
 From Flocq Require Binary Bits.
-From Graze Require Import Model Model_descent.
+From Graze Require Import Model Model_descent Exact_integer.
 
 Definition Hprec : Prec_gt_0 53 := eq_refl.
 Definition Hmax : Prec_lt_emax 53 1024 := eq_refl.
 Definition number := float 53 1024.
 
 (** The number that 64 bits stand for, and back; a NaN becomes the quiet one without payload. *)
-Definition of_bits (bits : Z) : number := Binary.B2BSN 53 1024 (Bits.b64_of_bits bits).
+Definition number_of_bits (bits : Z) : number := Binary.B2BSN 53 1024 (Bits.b64_of_bits bits).
 Definition canonical_nan : { x : Bits.binary64 | Binary.is_nan 53 1024 x = true } :=
   exist _ (Binary.B754_nan 53 1024 false (2 ^ 51) eq_refl) eq_refl.
-Definition to_bits (x : number) : Z := Bits.bits_of_b64 (Binary.BSN2B 53 1024 canonical_nan x).
+Definition bits_of_number (x : number) : Z := Bits.bits_of_b64 (Binary.BSN2B 53 1024 canonical_nan x).
 
 (** The bits of a number are its own. *)
-Lemma of_bits_to_bits : forall x : number, of_bits (to_bits x) = x.
+Lemma number_of_bits_of_number : forall x : number, number_of_bits (bits_of_number x) = x.
 Proof.
-  intros x. unfold of_bits, to_bits, Bits.b64_of_bits, Bits.bits_of_b64.
+  intros x. unfold number_of_bits, bits_of_number, Bits.b64_of_bits, Bits.bits_of_b64.
   rewrite Bits.binary_float_of_bits_of_binary_float. apply Binary.B2BSN_BSN2B.
 Qed.
 
 Definition directed_backend : backend 53 1024 := @directed 53 1024 Hprec Hmax.
 Definition upward_backend : backend 53 1024 := @upward 53 1024 Hprec Hmax.
+Definition nearest_backend : backend 53 1024 := nearest_as_coded.
+Definition nearest_fma_backend : backend 53 1024 := nearest_fma_as_coded.
 
 Definition prepare_ray (b : backend 53 1024) : three number -> three number -> three (axis 53 1024) :=
   @prepare 53 1024 Hprec Hmax b.
@@ -60,7 +62,8 @@ Extract Constant shr =>
 
 Extraction Language OCaml.
 Set Warnings "-extraction-opaque-accessed".
-Extraction "model.ml" of_bits to_bits directed_backend upward_backend prepare_ray lowb uppb enter_at
+Extraction "model.ml" number_of_bits bits_of_number directed_backend upward_backend
+  nearest_backend nearest_fma_backend prepare_ray lowb uppb enter_at
   leave_at within common passes2 passes touches_box half origin_side hi_plane mid_plane root_state
   passed children descent digits_as_defined shift_as_defined shr_as_defined digits2_pos
   shift_pos shr.
