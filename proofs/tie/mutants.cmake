@@ -36,7 +36,7 @@ function(graze_mutant id what)
   if(NOT compiler)
     return() # CMakeLists.txt has said so
   endif()
-  graze_tie_program(mutant_${id} ${compiler} ${arg_LANES} ${arg_FLAGS} -I${mutants}/${id})
+  graze_tie_program(mutant_${id} ${compiler} ${arg_LANES} ${arg_FLAGS} -w -I${mutants}/${id})
   add_test(NAME "proofs.tie: mutant is caught: ${what}"
            COMMAND sh -c "\"$@\"; test $? = 1" sh ${there}/programs/mutant_${id} ${arg_REPLAY}
                    ${vectors})
