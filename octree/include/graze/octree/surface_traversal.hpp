@@ -178,6 +178,23 @@ private:
   bool any_ = false, unresolved_ = false;
 };
 
+/// How the rays of a surface_traversal go down by the method M: here, by descend(). Specialized for
+/// methods that look at eight children at a time (descent_eight.hpp).
+template <Method M> struct surface_descent {
+  template <rounding::Backend B, Surface F, class Visit>
+  static bool run(const ray& r, const F& f, const box& domain, const sparse_octree& octree,
+                  int level, const Visit& visit, std::uint64_t& cells_opened) {
+    const continued_octree<F, B> tree(f, domain, octree);
+    return descend(
+        M(r), octree.box(), level, tree,
+        [&](const cube& cell, const auto&, const auto&) { return visit(cell); }, &cells_opened);
+  }
+  template <rounding::Backend B, Surface F>
+  static content content_of(const F& f, const cube&, const box& b) {
+    return leaf_content<B>(f, b);
+  }
+};
+
 /// First hits with one surface. M is the Method by which the ray descends; the verdicts are proven
 /// for the sound one in the convention `owned`, which is front to back; with a baseline they are
 /// what that baseline makes of the scene. B evaluates the surface; its scope must be compatible
@@ -200,6 +217,12 @@ public:
     return surface_traversal(surface, domain, octree, level);
   }
 
+  /// The same for arguments that make() has accepted before.
+  [[nodiscard]] static surface_traversal accepted(const F& surface, const box& domain,
+                                                  const sparse_octree& octree, int level) {
+    return surface_traversal(surface, domain, octree, level);
+  }
+
   /// Takes the rounding scopes itself. Where flushing to zero would remain on, nothing is proven:
   /// undecided, [0, infinity].
   [[nodiscard]] surface_hit first_hit(const ray& r, traversal_counts* counts = nullptr) const {
@@ -218,15 +241,14 @@ public:
     if (in_domain.empty())
       return result;
     root_search<F, B> search(g, in_domain);
-    const continued_octree<F, B> tree(surface_, domain_, *octree_);
     traversal_counts seen;
     std::uint64_t looked_at = 0;
-    const auto visit = [&](const cube& cell, const auto&, const auto&) {
+    const auto visit = [&](const cube& cell) {
       const box b = intersection(closed_box(cell), domain_);
       if (b.empty())
         return false;
       if (result.leaf.size == 0) {
-        const content c = leaf_content<B>(surface_, b);
+        const content c = surface_descent<M>::template content_of<B>(surface_, cell, b);
         if (c == content::none)
           return false;
         result.leaf = cell;
@@ -236,7 +258,8 @@ public:
         ++seen.leaves_kept;
       return search.proven() || ++looked_at == most_leaves;
     };
-    const bool stopped = descend(M(r), octree_->box(), level_, tree, visit, &seen.cells_opened);
+    const bool stopped = surface_descent<M>::template run<B>(r, surface_, domain_, *octree_, level_,
+                                                             visit, seen.cells_opened);
     if (!stopped)
       search.finish();
     if (counts != nullptr) {
