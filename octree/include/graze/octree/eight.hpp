@@ -60,11 +60,14 @@ template <class P> struct cube_minus_identity_lanes {
   }
 };
 } // namespace detail
+} // namespace graze::octree
 
+namespace graze {
 /// Encloses { t^3 - t : t in x } in each lane, with the scalar function's bounds; empty for empty.
+/// In interval8's own namespace, where formulas find it whatever was included first.
 template <class Path>
 GRAZE_BATCH_INLINE interval8<Path> cube_minus_identity(const interval8<Path>& x) {
-  return interval8<Path>::template lanewise<&detail::cube_minus_identity_lanes<Path>::range>(x);
+  return interval8<Path>::template lanewise<
+      &octree::detail::cube_minus_identity_lanes<Path>::range>(x);
 }
-
-} // namespace graze::octree
+} // namespace graze

@@ -1,11 +1,13 @@
 #pragma once
 /// A sparse octree: a byte of child mask and one 32-bit index a node, a byte a leaf.
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <graze/octree/cube.hpp>
 #include <graze/octree/inclusion.hpp>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -41,9 +43,27 @@ public:
     return node_count() * bytes_per_node + leaf_count() * bytes_per_leaf;
   }
 
+  /// The arrays, in post-order: what is below a node comes before the group of its siblings, the
+  /// root is last. The index of a node above its last level is among the nodes, of others among the
+  /// leaves. The same leaves give the same arrays.
+  [[nodiscard]] std::span<const std::uint8_t> masks() const { return mask_; }
+  [[nodiscard]] std::span<const std::uint32_t> first_children() const { return first_child_; }
+  [[nodiscard]] std::span<const content> leaves() const { return leaves_; }
+
+  /// An octree of arrays that come from elsewhere. Refuses, in time proportional to their size,
+  /// whatever is not the arrays of an octree: sizes that differ, an index out of range, shared or
+  /// missing nodes, cycles, an order other than the one above, a node or a leaf without content.
+  [[nodiscard]] static expected<sparse_octree> from_arrays(const root_cube& root,
+                                                           std::vector<std::uint8_t> masks,
+                                                           std::vector<std::uint32_t> first_children,
+                                                           std::vector<content> leaves);
+
+  friend bool operator==(const sparse_octree&, const sparse_octree&) = default;
+
   class builder;
 
 private:
+  friend class builder;
   explicit sparse_octree(const root_cube& root) : box_(root.box()), level_(root.level()) {}
   cube box_;
   int level_;
@@ -83,8 +103,104 @@ public:
     return std::move(tree_);
   }
 
+
+  // For parts that are built apart (parallel_voxelizer.hpp).
+
+  /// Makes room: afterwards the arrays have these sizes, and set, place write them.
+  void resize(std::size_t nodes, std::size_t leaves) {
+    tree_.mask_.resize(nodes);
+    tree_.first_child_.resize(nodes);
+    tree_.leaves_.resize(leaves);
+  }
+  void set(std::size_t node, const inner& n) {
+    tree_.mask_[node] = n.mask;
+    tree_.first_child_[node] = n.first_child;
+  }
+  /// Copies what is below `top`, a node at `level` in `part`, behind the given numbers of nodes and
+  /// leaves. Different places may be written at the same time.
+  void place(const builder& part, const inner& top, int level, std::uint32_t nodes_before,
+             std::uint32_t leaves_before) {
+    std::copy(part.tree_.mask_.begin(), part.tree_.mask_.end(),
+              tree_.mask_.begin() + nodes_before);
+    std::copy(part.tree_.leaves_.begin(), part.tree_.leaves_.end(),
+              tree_.leaves_.begin() + leaves_before);
+    place_below(part, top, level, nodes_before, leaves_before);
+  }
+  /// The finished octree after resize, set and place.
+  [[nodiscard]] sparse_octree finish() && { return std::move(tree_); }
+
 private:
+  void place_below(const builder& part, const inner& n, int level, std::uint32_t nodes_before,
+                   std::uint32_t leaves_before) {
+    if (level + 1 == tree_.level_)
+      return;
+    const bool above_leaves = level + 2 == tree_.level_;
+    const auto count = static_cast<std::uint32_t>(std::popcount(n.mask));
+    for (std::uint32_t i = n.first_child; i < n.first_child + count; ++i) {
+      const std::uint32_t first = part.tree_.first_child_[i];
+      tree_.first_child_[nodes_before + i] =
+          first + (above_leaves ? leaves_before : nodes_before);
+      if (!above_leaves)
+        place_below(part, {part.tree_.mask_[i], first}, level + 1, nodes_before, leaves_before);
+    }
+  }
+
   sparse_octree tree_;
 };
+
+namespace detail {
+/// Follows the order in which a builder adds nodes. The counters only grow, and what does not fit
+/// them ends it, so that each node is seen at most once.
+struct octree_order {
+  std::span<const std::uint8_t> masks;
+  std::span<const std::uint32_t> first_children;
+  std::size_t leaf_count;
+  int level;
+  std::size_t nodes = 0, leaves = 0;
+
+  bool follow(std::size_t node, int depth) {
+    const auto count = static_cast<std::size_t>(std::popcount(masks[node]));
+    const std::size_t first = first_children[node];
+    if (depth + 1 == level) {
+      if (first != leaves || count > leaf_count - leaves)
+        return false;
+      leaves += count;
+      return true;
+    }
+    if (first > node || count > node - first) // also ends every cycle
+      return false;
+    for (std::size_t i = first; i < first + count; ++i)
+      if (masks[i] == 0 || !follow(i, depth + 1))
+        return false;
+    if (first != nodes)
+      return false;
+    nodes += count;
+    return true;
+  }
+};
+} // namespace detail
+
+inline expected<sparse_octree>
+sparse_octree::from_arrays(const root_cube& root, std::vector<std::uint8_t> masks,
+                           std::vector<std::uint32_t> first_children,
+                           std::vector<content> leaves) {
+  constexpr std::size_t most = 0xffff'ffff;
+  if (masks.empty() || masks.size() != first_children.size())
+    return unexpected{"the octree's arrays are not of one size"};
+  if (masks.size() > most || leaves.size() > most)
+    return unexpected{"the octree has more than 2^32 nodes"};
+  for (const content c : leaves)
+    if (c != content::possible && c != content::certified)
+      return unexpected{"a leaf of the octree has no content"};
+  detail::octree_order order{masks, first_children, leaves.size(), root.level()};
+  if (!order.follow(masks.size() - 1, 0) || order.nodes + 1 != masks.size() ||
+      order.leaves != leaves.size())
+    return unexpected{"the octree's indices do not make an octree"};
+  sparse_octree r(root);
+  r.mask_ = std::move(masks);
+  r.first_child_ = std::move(first_children);
+  r.leaves_ = std::move(leaves);
+  return r;
+}
 
 } // namespace graze::octree

@@ -1,0 +1,69 @@
+#pragma once
+/// What a surface leaves of an octant's eight children: the question that every voxelization asks,
+/// eager, parallel or lazy.
+#include <array>
+#include <concepts>
+#include <graze/octree/inclusion.hpp>
+
+namespace graze::octree {
+
+/// The children at the last level: bit i of `mask` is set where child i is kept, and then
+/// contents[i] says what is proven about it.
+struct leaf_children {
+  std::uint8_t mask = 0;
+  std::array<content, 8> contents{};
+};
+
+/// Decides about children; its functions are called within a scope and depend on nothing but the
+/// octant. `open(cell)`: bit i is clear only where f is proven to have no zero in child i within the
+/// domain. `leaves(cell)`: the same for children at the last level, by the last-level test.
+template <class J>
+concept ChildrenJudge = requires(const J judge, const cube cell) {
+  typename J::scope;
+  { judge.open(cell) } -> std::same_as<std::uint8_t>;
+  { judge.leaves(cell) } -> std::same_as<leaf_children>;
+};
+
+/// By scalar intervals over B, for any surface. `f` must outlive it.
+template <Surface F, rounding::Backend B = rounding::upward> class scalar_judge {
+public:
+  using scope = typename B::scope;
+  scalar_judge(const F& f, const box& domain) : f_(&f), domain_(domain) {}
+
+  [[nodiscard]] std::uint8_t open(const cube& cell) const {
+    const bool cut = is_cut(cell);
+    unsigned mask = 0;
+    for (unsigned i = 0; i < 8; ++i)
+      if (const box b = part(cell.child(i), cut); !b.empty() && !has_no_zero<B>(*f_, b))
+        mask |= 1u << i;
+    return static_cast<std::uint8_t>(mask);
+  }
+
+  [[nodiscard]] leaf_children leaves(const cube& cell) const {
+    const bool cut = is_cut(cell);
+    leaf_children r;
+    for (unsigned i = 0; i < 8; ++i) {
+      const box b = part(cell.child(i), cut);
+      if (b.empty() || has_no_zero<B>(*f_, b))
+        continue;
+      r.contents[i] = leaf_content<B>(*f_, b);
+      if (r.contents[i] != content::none)
+        r.mask = static_cast<std::uint8_t>(r.mask | 1u << i);
+    }
+    return r;
+  }
+
+  /// Part of the octant is outside of the domain.
+  [[nodiscard]] bool is_cut(const cube& cell) const { return !contains(domain_, closed_box(cell)); }
+
+private:
+  /// The part of a child that counts; empty() outside the domain.
+  [[nodiscard]] box part(const cube& child, bool cut) const {
+    return cut ? intersection(closed_box(child), domain_) : closed_box(child);
+  }
+
+  const F* f_;
+  box domain_;
+};
+
+} // namespace graze::octree
