@@ -1,17 +1,20 @@
 #pragma once
 /// What a surface leaves of an octant's eight children: the question that every voxelization asks,
 /// eager, parallel or lazy.
-#include <array>
 #include <concepts>
 #include <graze/octree/inclusion.hpp>
 
 namespace graze::octree {
 
-/// The children at the last level: bit i of `mask` is set where child i is kept, and then
-/// contents[i] says what is proven about it.
+/// The children at the last level: bit i of `mask` is set where child i is kept, and bit i of
+/// `certified`, a part of it, where a zero in it is proven.
 struct leaf_children {
-  std::uint8_t mask = 0;
-  std::array<content, 8> contents{};
+  std::uint8_t mask = 0, certified = 0;
+  [[nodiscard]] content of(unsigned child) const {
+    return (certified >> child & 1) != 0
+               ? content::certified
+               : ((mask >> child & 1) != 0 ? content::possible : content::none);
+  }
 };
 
 /// Decides about children; its functions are called within a scope and depend on nothing but the
@@ -46,9 +49,9 @@ public:
       const box b = part(cell.child(i), cut);
       if (b.empty() || has_no_zero<B>(*f_, b))
         continue;
-      r.contents[i] = leaf_content<B>(*f_, b);
-      if (r.contents[i] != content::none)
-        r.mask = static_cast<std::uint8_t>(r.mask | 1u << i);
+      const content c = leaf_content<B>(*f_, b);
+      r.mask = static_cast<std::uint8_t>(r.mask | (c != content::none ? 1u << i : 0));
+      r.certified = static_cast<std::uint8_t>(r.certified | (c == content::certified ? 1u << i : 0));
     }
     return r;
   }

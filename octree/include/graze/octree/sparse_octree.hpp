@@ -1,12 +1,13 @@
 #pragma once
 /// A sparse octree: a byte of child mask and one 32-bit index a node, a byte a leaf.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <graze/octree/children.hpp>
 #include <graze/octree/cube.hpp>
-#include <graze/octree/inclusion.hpp>
 #include <span>
 #include <utility>
 #include <vector>
@@ -96,7 +97,15 @@ public:
     tree_.mask_.push_back(n.mask);
     tree_.first_child_.push_back(n.first_child);
   }
-  void add(content leaf) { tree_.leaves_.push_back(leaf); }
+  void add(const leaf_children& siblings) {
+    std::array<content, 8> kept;
+    unsigned count = 0;
+    for (unsigned i = 0; i < 8; ++i) { // no branch: the next child overwrites one that is not kept
+      kept[count] = siblings.of(i);
+      count += siblings.mask >> i & 1u;
+    }
+    tree_.leaves_.insert(tree_.leaves_.end(), kept.begin(), kept.begin() + count);
+  }
   /// The root is added last.
   [[nodiscard]] sparse_octree finish(const inner& root) && {
     add(root);

@@ -46,8 +46,8 @@ private:
     if (out_.full())
       return nothing;
     const leaf_children leaves = judge_.leaves(cell);
-    for (unsigned rest = leaves.mask; rest != 0; rest &= rest - 1)
-      out_.add(leaves.contents[static_cast<unsigned>(std::countr_zero(rest))]);
+    if (leaves.mask != 0)
+      out_.add(leaves);
     return {leaves.mask, nothing.first_child};
   }
 

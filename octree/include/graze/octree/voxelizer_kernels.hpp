@@ -13,10 +13,11 @@
 
 namespace graze::octree {
 
-/// Certified signs of f at the 27 points that the children of an octant have as corners; bit
-/// x + 3 y + 9 z is of the point x, y, z halves of the octant away from its lower corner.
-struct lattice_signs {
-  std::uint32_t positive, negative;
+/// The last-level test of eight children but for its end: bit i of `kept` where child i may hold a
+/// zero, of `certified` and `one_sign`, parts of it, where its corners have two proven signs, and
+/// the same one at all.
+struct leaf_signs {
+  std::uint8_t kept, certified, one_sign;
 };
 
 /// What a path has compiled for the surface F: pure arithmetic, no memory but the arguments. Called
@@ -25,7 +26,7 @@ struct lattice_signs {
 template <Surface F> struct voxelizer_kernels {
   /// has_no_zero of inclusion.hpp.
   unsigned (*no_zero)(const F&, const double* corner, double half);
-  lattice_signs (*signs)(const F&, const double* corner, double half);
+  leaf_signs (*leaves)(const F&, const double* corner, double half);
   /// The end of leaf_content, for children with one sign at all corners: f is proven monotone in
   /// each variable or, by the mean value form, free of zeros.
   unsigned (*none_of_one_sign)(const F&, const double* corner, double half);
@@ -64,33 +65,13 @@ public:
   [[nodiscard]] leaf_children leaves(const cube& cell) const {
     if (scalar_.is_cut(cell)) [[unlikely]]
       return scalar_.leaves(cell);
-    leaf_children r;
+    const double* corner = cell.lo.data();
     const double half = cell.size / 2;
-    unsigned kept = ~kernels_.no_zero(*f_, cell.lo.data(), half) & 0xff;
-    if (kept == 0)
-      return r;
-    const lattice_signs signs = kernels_.signs(*f_, cell.lo.data(), half);
-    unsigned one_sign = 0;
-    for (unsigned rest = kept; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<unsigned>(std::countr_zero(rest));
-      // the child's corners are the lattice's points from its own lower corner to one beyond
-      const unsigned lower_corner = (i & 1u) + 3 * (i >> 1 & 1u) + 9 * (i >> 2);
-      constexpr std::uint32_t corners =
-          1u | 1u << 1 | 1u << 3 | 1u << 4 | 1u << 9 | 1u << 10 | 1u << 12 | 1u << 13;
-      const std::uint32_t positive = signs.positive >> lower_corner & corners,
-                          negative = signs.negative >> lower_corner & corners;
-      r.contents[i] =
-          positive != 0 && negative != 0 ? content::certified : content::possible;
-      if (positive == corners || negative == corners)
-        one_sign |= 1u << i;
-    }
-    if (one_sign != 0)
-      kept &= ~(one_sign & kernels_.none_of_one_sign(*f_, cell.lo.data(), half));
-    r.mask = static_cast<std::uint8_t>(kept);
-    for (unsigned i = 0; i < 8; ++i)
-      if ((kept >> i & 1) == 0)
-        r.contents[i] = content::none;
-    return r;
+    const leaf_signs found = kernels_.leaves(*f_, corner, half);
+    unsigned kept = found.kept;
+    if (found.one_sign != 0)
+      kept &= ~(found.one_sign & kernels_.none_of_one_sign(*f_, corner, half));
+    return {static_cast<std::uint8_t>(kept), found.certified};
   }
 
 private:
