@@ -1,0 +1,175 @@
+#pragma once
+/// Voxelization on several threads with oneTBB: the bytes of voxelize_by, for any number of
+/// threads. The only header of graze::octree that needs oneTBB; link the target
+/// graze::octree_parallel, or TBB::tbb yourself.
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <graze/octree/voxelizer.hpp>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace graze::octree {
+
+struct parallel_options {
+  int threads = 0; ///< 0: as many as oneTBB takes by default
+  /// Asked now and then; once true the voxelization is given up.
+  const std::atomic<bool>* stop = nullptr;
+  /// Told how many of how many parts are done, from one thread at a time.
+  std::function<void(std::size_t done, std::size_t parts)> progress;
+};
+
+namespace detail {
+/// The octree above the level at which it is divided, and the parts below, each built by itself.
+template <ChildrenJudge J> class divided_voxelization {
+public:
+  using inner = sparse_octree::builder::inner;
+
+  divided_voxelization(const J& judge, const root_cube& root)
+      : judge_(judge), root_(root), divided_at_(std::min(root.level() - 1, 5)) {
+    [[maybe_unused]] const typename J::scope scope;
+    divide(root.box(), 0);
+  }
+  [[nodiscard]] std::size_t count() const { return parts_.size(); }
+
+  /// Different parts at the same time.
+  void build(std::size_t i) {
+    [[maybe_unused]] const typename J::scope scope;
+    part& p = parts_[i];
+    p.top = voxelization<J>(judge_, root_.level(), p.below).node(p.cell, divided_at_);
+  }
+
+  /// Where each part goes; call it once all are built. False if there is no room.
+  [[nodiscard]] bool arrange() {
+    for (const part& p : parts_)
+      if (p.below.full())
+        return false;
+    const position top = arrange_below(0);
+    if (nodes_ > most || leaves_ > most)
+      return false;
+    out_.resize(nodes_ + 1, leaves_);
+    for (const auto& [at, n] : above_)
+      out_.set(at, n.as_inner());
+    out_.set(nodes_, top.as_inner());
+    return true;
+  }
+  /// Different parts at the same time. The part's own memory is given back.
+  void place(std::size_t i) {
+    part& p = parts_[i];
+    out_.place(p.below, p.top, divided_at_, static_cast<std::uint32_t>(p.nodes_before),
+               static_cast<std::uint32_t>(p.leaves_before));
+    p.below = sparse_octree::builder(root_);
+  }
+  sparse_octree finish() { return std::move(out_).finish(); }
+
+private:
+  static constexpr std::size_t most = 0xffff'ffff - 8;
+  struct part {
+    cube cell;
+    sparse_octree::builder below;
+    inner top{};
+    std::size_t nodes_before = 0, leaves_before = 0;
+  };
+  struct position {
+    std::uint8_t mask;
+    std::size_t first_child;
+    [[nodiscard]] inner as_inner() const {
+      return {mask, static_cast<std::uint32_t>(first_child)};
+    }
+  };
+
+  void divide(const cube& cell, int level) {
+    if (level == divided_at_) {
+      parts_.push_back({cell, sparse_octree::builder(root_)});
+      return;
+    }
+    const std::uint8_t open = judge_.open(cell);
+    open_.push_back(open);
+    for (unsigned i = 0; i < 8; ++i)
+      if ((open >> i & 1) != 0)
+        divide(cell.child(i), level + 1);
+  }
+
+  /// The order in which voxelization adds nodes.
+  position arrange_below(int level) {
+    if (level == divided_at_) {
+      part& p = parts_[next_part_++];
+      p.nodes_before = nodes_;
+      p.leaves_before = leaves_;
+      nodes_ += p.below.next_node();
+      leaves_ += p.below.next_leaf();
+      const bool above_leaves = level + 1 == root_.level();
+      return {p.top.mask, p.top.first_child + (above_leaves ? p.leaves_before : p.nodes_before)};
+    }
+    std::array<position, 8> found;
+    unsigned count = 0, mask = 0;
+    const std::uint8_t open = open_[next_open_++];
+    for (unsigned i = 0; i < 8; ++i) {
+      if ((open >> i & 1) == 0)
+        continue;
+      const position n = arrange_below(level + 1);
+      if (n.mask == 0)
+        continue;
+      found[count++] = n;
+      mask |= 1u << i;
+    }
+    const position r{static_cast<std::uint8_t>(mask), nodes_};
+    for (unsigned i = 0; i < count; ++i)
+      above_.emplace_back(nodes_++, found[i]);
+    return r;
+  }
+
+  const J& judge_;
+  root_cube root_;
+  int divided_at_;
+  std::vector<std::uint8_t> open_; ///< of the octants above, in pre-order
+  std::vector<part> parts_;
+  std::size_t next_open_ = 0, next_part_ = 0, nodes_ = 0, leaves_ = 0;
+  std::vector<std::pair<std::size_t, position>> above_;
+  sparse_octree::builder out_{root_};
+};
+} // namespace detail
+
+/// voxelize_by on several threads: the same octree, byte for byte. The judge is used by all of them
+/// at once. Refuses an octree of more than 2^32 nodes, a negative number of threads, and, with
+/// "interrupted", to go on once `stop` is set. Peak memory: the octree and its parts, at most twice
+/// the octree beside the vectors' slack. May throw std::bad_alloc.
+template <ChildrenJudge J>
+[[nodiscard]] expected<sparse_octree> voxelize_parallel(const J& judge, const root_cube& root,
+                                                        const parallel_options& options = {}) {
+  if (options.threads < 0)
+    return unexpected{"the number of threads is negative"};
+  oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
+                                                     : options.threads);
+  detail::divided_voxelization<J> work(judge, root);
+  const auto stopped = [&] {
+    return options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
+  };
+  const auto each_part = [&](auto&& task) {
+    arena.execute([&] {
+      oneapi::tbb::parallel_for(std::size_t{0}, work.count(), [&](std::size_t i) { task(i); });
+    });
+  };
+  std::size_t done = 0;
+  std::atomic<bool> telling{false};
+  std::atomic<std::size_t> built{0};
+  each_part([&](std::size_t i) {
+    if (stopped())
+      return;
+    work.build(i);
+    const std::size_t now = built.fetch_add(1) + 1;
+    if (options.progress && !telling.exchange(true, std::memory_order_acquire)) {
+      if (now > done)
+        options.progress(done = now, work.count());
+      telling.store(false, std::memory_order_release);
+    }
+  });
+  if (stopped())
+    return unexpected{"interrupted"};
+  if (!work.arrange())
+    return unexpected{detail::too_many_nodes};
+  each_part([&](std::size_t i) { work.place(i); });
+  return work.finish();
+}
+
+} // namespace graze::octree
