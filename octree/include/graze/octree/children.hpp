@@ -18,8 +18,8 @@ struct leaf_children {
 };
 
 /// Decides about children; its functions are called within a scope and depend on nothing but the
-/// octant. `open(cell)`: bit i is clear only where f is proven to have no zero in child i within the
-/// domain. `leaves(cell)`: the same for children at the last level, by the last-level test.
+/// octant. `open(cell)`: bit i is clear only where f is proven to have no zero in child i within
+/// the domain. `leaves(cell)`: the same for children at the last level, by the last-level test.
 template <class J>
 concept ChildrenJudge = requires(const J judge, const cube cell) {
   typename J::scope;
@@ -51,7 +51,8 @@ public:
         continue;
       const content c = leaf_content<B>(*f_, b);
       r.mask = static_cast<std::uint8_t>(r.mask | (c != content::none ? 1u << i : 0));
-      r.certified = static_cast<std::uint8_t>(r.certified | (c == content::certified ? 1u << i : 0));
+      r.certified =
+          static_cast<std::uint8_t>(r.certified | (c == content::certified ? 1u << i : 0));
     }
     return r;
   }

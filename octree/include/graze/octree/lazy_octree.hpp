@@ -12,7 +12,8 @@ namespace graze::octree {
 /// The octants of levels 0..root.level() that the judge keeps, each octant's children decided when
 /// they are first asked for, all eight at once, and remembered. Models Tree. The leaves, and what
 /// is proven about them, are those of the eager octree; above them an octant stays in which no leaf
-/// is left, which the eager octree prunes, so a traversal reports the same leaves in the same order.
+/// is left, which the eager octree prunes, so a traversal reports the same leaves in the same
+/// order.
 ///
 /// Any number of threads may share one. What is decided depends on the octant alone; where two
 /// decide the same octant at once, the first to publish it wins, and the other's room is lost.
@@ -79,9 +80,7 @@ private:
   static constexpr int blocks = 23;
   using words = std::unique_ptr<std::atomic<std::uint64_t>[]>;
 
-  static int block_of(std::uint64_t index) {
-    return std::bit_width(index / first_size + 1) - 1;
-  }
+  static int block_of(std::uint64_t index) { return std::bit_width(index / first_size + 1) - 1; }
   [[nodiscard]] std::atomic<std::uint64_t>& at(std::uint64_t index) const {
     const int b = block_of(index);
     return block_[b].load(std::memory_order_acquire)[index - ((first_size << b) - first_size)];

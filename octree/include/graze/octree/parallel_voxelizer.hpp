@@ -6,6 +6,8 @@
 #include <atomic>
 #include <functional>
 #include <graze/octree/voxelizer.hpp>
+#include <memory>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -73,9 +75,7 @@ private:
   struct position {
     std::uint8_t mask;
     std::size_t first_child;
-    [[nodiscard]] inner as_inner() const {
-      return {mask, static_cast<std::uint32_t>(first_child)};
-    }
+    [[nodiscard]] inner as_inner() const { return {mask, static_cast<std::uint32_t>(first_child)}; }
   };
 
   void divide(const cube& cell, int level) {
@@ -141,6 +141,11 @@ template <ChildrenJudge J>
     return unexpected{"the number of threads is negative"};
   oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
                                                      : options.threads);
+  using oneapi::tbb::global_control;
+  std::unique_ptr<global_control> allowed; // or else never more than there are cores
+  if (options.threads > 0)
+    allowed = std::make_unique<global_control>(global_control::max_allowed_parallelism,
+                                               static_cast<std::size_t>(options.threads));
   detail::divided_voxelization<J> work(judge, root);
   const auto stopped = [&] {
     return options.stop != nullptr && options.stop->load(std::memory_order_relaxed);

@@ -1,7 +1,6 @@
 #pragma once
 /// A sparse octree: a byte of child mask and one 32-bit index a node, a byte a leaf.
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cstddef>
@@ -54,10 +53,9 @@ public:
   /// An octree of arrays that come from elsewhere. Refuses, in time proportional to their size,
   /// whatever is not the arrays of an octree: sizes that differ, an index out of range, shared or
   /// missing nodes, cycles, an order other than the one above, a node or a leaf without content.
-  [[nodiscard]] static expected<sparse_octree> from_arrays(const root_cube& root,
-                                                           std::vector<std::uint8_t> masks,
-                                                           std::vector<std::uint32_t> first_children,
-                                                           std::vector<content> leaves);
+  [[nodiscard]] static expected<sparse_octree>
+  from_arrays(const root_cube& root, std::vector<std::uint8_t> masks,
+              std::vector<std::uint32_t> first_children, std::vector<content> leaves);
 
   friend bool operator==(const sparse_octree&, const sparse_octree&) = default;
 
@@ -85,33 +83,37 @@ public:
   [[nodiscard]] std::uint32_t next_node() const {
     return static_cast<std::uint32_t>(tree_.mask_.size());
   }
-  [[nodiscard]] std::uint32_t next_leaf() const {
-    return static_cast<std::uint32_t>(tree_.leaves_.size());
-  }
+  [[nodiscard]] std::uint32_t next_leaf() const { return static_cast<std::uint32_t>(leaf_count_); }
   /// Indices are 32 bits wide: no room is left for eight more.
   [[nodiscard]] bool full() const {
     constexpr std::size_t most = 0xffff'ffff - 8;
-    return tree_.mask_.size() > most || tree_.leaves_.size() > most;
+    return tree_.mask_.size() > most || leaf_count_ > most;
   }
   void add(const inner& n) {
     tree_.mask_.push_back(n.mask);
     tree_.first_child_.push_back(n.first_child);
   }
+  /// Leaves beyond their number are room to write to, so that no branch depends on the mask.
   void add(const leaf_children& siblings) {
-    std::array<content, 8> kept;
+    if (tree_.leaves_.size() < leaf_count_ + 8) [[unlikely]]
+      tree_.leaves_.resize(2 * leaf_count_ + 64);
+    content* to = tree_.leaves_.data() + leaf_count_;
     unsigned count = 0;
-    for (unsigned i = 0; i < 8; ++i) { // no branch: the next child overwrites one that is not kept
-      kept[count] = siblings.of(i);
+    for (unsigned i = 0; i < 8; ++i) { // the next child overwrites one that is not kept
+      to[count] = static_cast<content>(1 + (siblings.certified >> i & 1));
       count += siblings.mask >> i & 1u;
     }
-    tree_.leaves_.insert(tree_.leaves_.end(), kept.begin(), kept.begin() + count);
+    leaf_count_ += count;
   }
   /// The root is added last.
   [[nodiscard]] sparse_octree finish(const inner& root) && {
     add(root);
+    tree_.leaves_.resize(leaf_count_);
+    tree_.mask_.shrink_to_fit(); // what is kept is what bytes() says
+    tree_.first_child_.shrink_to_fit();
+    tree_.leaves_.shrink_to_fit();
     return std::move(tree_);
   }
-
 
   // For parts that are built apart (parallel_voxelizer.hpp).
 
@@ -120,6 +122,7 @@ public:
     tree_.mask_.resize(nodes);
     tree_.first_child_.resize(nodes);
     tree_.leaves_.resize(leaves);
+    leaf_count_ = leaves;
   }
   void set(std::size_t node, const inner& n) {
     tree_.mask_[node] = n.mask;
@@ -129,10 +132,9 @@ public:
   /// leaves. Different places may be written at the same time.
   void place(const builder& part, const inner& top, int level, std::uint32_t nodes_before,
              std::uint32_t leaves_before) {
-    std::copy(part.tree_.mask_.begin(), part.tree_.mask_.end(),
-              tree_.mask_.begin() + nodes_before);
-    std::copy(part.tree_.leaves_.begin(), part.tree_.leaves_.end(),
-              tree_.leaves_.begin() + leaves_before);
+    std::copy(part.tree_.mask_.begin(), part.tree_.mask_.end(), tree_.mask_.begin() + nodes_before);
+    std::copy_n(part.tree_.leaves_.begin(), part.leaf_count_,
+                tree_.leaves_.begin() + leaves_before);
     place_below(part, top, level, nodes_before, leaves_before);
   }
   /// The finished octree after resize, set and place.
@@ -147,14 +149,14 @@ private:
     const auto count = static_cast<std::uint32_t>(std::popcount(n.mask));
     for (std::uint32_t i = n.first_child; i < n.first_child + count; ++i) {
       const std::uint32_t first = part.tree_.first_child_[i];
-      tree_.first_child_[nodes_before + i] =
-          first + (above_leaves ? leaves_before : nodes_before);
+      tree_.first_child_[nodes_before + i] = first + (above_leaves ? leaves_before : nodes_before);
       if (!above_leaves)
         place_below(part, {part.tree_.mask_[i], first}, level + 1, nodes_before, leaves_before);
     }
   }
 
   sparse_octree tree_;
+  std::size_t leaf_count_ = 0;
 };
 
 namespace detail {
@@ -189,10 +191,10 @@ struct octree_order {
 };
 } // namespace detail
 
-inline expected<sparse_octree>
-sparse_octree::from_arrays(const root_cube& root, std::vector<std::uint8_t> masks,
-                           std::vector<std::uint32_t> first_children,
-                           std::vector<content> leaves) {
+inline expected<sparse_octree> sparse_octree::from_arrays(const root_cube& root,
+                                                          std::vector<std::uint8_t> masks,
+                                                          std::vector<std::uint32_t> first_children,
+                                                          std::vector<content> leaves) {
   constexpr std::size_t most = 0xffff'ffff;
   if (masks.empty() || masks.size() != first_children.size())
     return unexpected{"the octree's arrays are not of one size"};

@@ -47,8 +47,8 @@ template <> const voxelizer_kernels<quartdef>& voxelizer_kernels_of<quartdef>(ba
 template <> const voxelizer_kernels<tanglecube>& voxelizer_kernels_of<tanglecube>(batch::path p);
 template <> const voxelizer_kernels<holesrot>& voxelizer_kernels_of<holesrot>(batch::path p);
 
-/// scalar_judge's verdicts by a path's kernels; an octant that the domain cuts is left to the scalar
-/// one. `f` must outlive it.
+/// scalar_judge's verdicts by a path's kernels; an octant that the domain cuts is left to the
+/// scalar one. `f` must outlive it.
 template <Surface F> class lane_judge {
 public:
   using scope = typename kernel_backend::scope;
@@ -82,9 +82,9 @@ private:
 
 /// voxelize by a path's kernels: the same bytes. Refuses also a path that does not run here.
 template <Surface F>
-[[nodiscard]] expected<sparse_octree>
-voxelize_eight(const F& f, const root_cube& root, const box& domain,
-               batch::path p = batch::path_in_use()) {
+[[nodiscard]] expected<sparse_octree> voxelize_eight(const F& f, const root_cube& root,
+                                                     const box& domain,
+                                                     batch::path p = batch::path_in_use()) {
   if (!detail::is_proper(domain))
     return unexpected{"domain is empty"};
   if (const auto reason = batch::refusal(p))

@@ -20,7 +20,8 @@ template <class P> struct lesser_partial_lanes {
   }
 };
 
-/// An octant's corner, mid-planes and far corner on each axis; exact in a root_cube, so in any mode.
+/// An octant's corner, mid-planes and far corner on each axis; exact in a root_cube, so in any
+/// mode.
 struct octant_planes {
   double at[3][3];
   GRAZE_BATCH_INLINE octant_planes(const double* corner, double half) {
@@ -64,16 +65,14 @@ consteval unsigned lattice_points(int a, int k, int n) {
 }
 template <class Path, int K> GRAZE_BATCH_INLINE eight_boxes<Path> points(const octant_planes& p) {
   eight_boxes<Path> r;
-  r.lo[0] = r.hi[0] =
-      one_of_three<Path>(lattice_points(0, K, 1), lattice_points(0, K, 2), p.at[0]);
-  r.lo[1] = r.hi[1] =
-      one_of_three<Path>(lattice_points(1, K, 1), lattice_points(1, K, 2), p.at[1]);
-  r.lo[2] = r.hi[2] =
-      one_of_three<Path>(lattice_points(2, K, 1), lattice_points(2, K, 2), p.at[2]);
+  r.lo[0] = r.hi[0] = one_of_three<Path>(lattice_points(0, K, 1), lattice_points(0, K, 2), p.at[0]);
+  r.lo[1] = r.hi[1] = one_of_three<Path>(lattice_points(1, K, 1), lattice_points(1, K, 2), p.at[1]);
+  r.lo[2] = r.hi[2] = one_of_three<Path>(lattice_points(2, K, 1), lattice_points(2, K, 2), p.at[2]);
   return r;
 }
 
-/// Bits 0, 1, 3, 4, 9, 10, 12, 13, the points that are the children's lower corners, as bits 0 to 7.
+/// Bits 0, 1, 3, 4, 9, 10, 12, 13, the points that are the children's lower corners, as bits 0
+/// to 7.
 GRAZE_BATCH_INLINE unsigned of_children(unsigned points) {
   return (points & 3u) | (points >> 1 & 0xcu) | (points >> 5 & 0x30u) | (points >> 6 & 0xc0u);
 }
@@ -137,8 +136,8 @@ template <class Path, class F> struct voxelizer_kernel {
     const I x = b.axis(0), y = b.axis(1), z = b.axis(2);
     using d = dual<I>;
     const d at = f(d::variable(x, 0), d::variable(y, 1), d::variable(z, 2));
-    const unsigned monotone = excludes_zero(at.partial[0]) & excludes_zero(at.partial[1]) &
-                              excludes_zero(at.partial[2]);
+    const unsigned monotone =
+        excludes_zero(at.partial[0]) & excludes_zero(at.partial[1]) & excludes_zero(at.partial[2]);
     const auto centre = [](const I& t) {
       return I::template lanewise<&sign_lanes<Path>::centre>(t);
     };
