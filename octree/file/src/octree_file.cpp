@@ -128,7 +128,7 @@ expected<described_octree> decode_octree(std::span<const unsigned char> bytes) {
 
 expected<described_octree> load_octree(const std::filesystem::path& file) {
   std::error_code error;
-  const auto name = "'" + file.string() + "'";
+  const std::string name = std::string(1, '\'').append(file.string()).append(1, '\'');
   if (std::filesystem::is_directory(file, error))
     return unexpected{name + " is a folder"};
   std::ifstream in(file, std::ios::binary);
