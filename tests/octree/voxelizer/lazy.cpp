@@ -1,0 +1,93 @@
+// The lazy octree: the leaves of the eager one, evaluated only where rays look.
+#include "../surface_judge.hpp"
+#include "../surface_scenes.hpp"
+#include <catch2/catch.hpp>
+#include <graze/octree/descent.hpp>
+#include <graze/octree/lane_kernels.hpp>
+#include <graze/octree/lazy_octree.hpp>
+#include <graze/octree/sound.hpp>
+#include <thread>
+
+using namespace graze;
+using namespace graze::octree;
+
+namespace {
+
+using method = sound<rounding::upward, convention::owned>;
+
+struct seen_leaf {
+  cube cell;
+  content what;
+  friend bool operator==(const seen_leaf&, const seen_leaf&) = default;
+};
+
+/// All leaves on each of the rays, in order.
+template <class T> std::vector<seen_leaf> leaves_on(const T& tree, const std::vector<ray>& rays) {
+  std::vector<seen_leaf> seen;
+  const method::scope scope;
+  for (const ray& r : rays)
+    descend(method(r), tree.box(), tree.level(), tree,
+            [&](const cube& cell, const auto& n, const auto&) {
+              seen.push_back({cell, tree.leaf(n)});
+              return false;
+            });
+  return seen;
+}
+
+std::vector<ray> random_rays(double reach, int count) {
+  judge::random_source random(17);
+  std::vector<ray> rays;
+  while (static_cast<int>(rays.size()) < count) {
+    vec3 o, d;
+    for (int a = 0; a < 3; ++a) {
+      o[a] = random.in(-2 * reach, 2 * reach);
+      d[a] = random.below(9) == 0 ? 0 : random.in(-1, 1);
+    }
+    if (const auto r = ray::make(o, d))
+      rays.push_back(*r);
+  }
+  return rays;
+}
+
+} // namespace
+
+TEST_CASE("octree.lazy: rays meet the eager octree's leaves, in order", "[property]") {
+  scenes::for_each([](const auto& scene) {
+    using surface = std::decay_t<decltype(scene.surface)>;
+    for (const int level : {1, 2, 8}) {
+      const auto root = enclosing_root(scene.domain(), level);
+      const lane_judge<surface> judge(scene.surface, scene.domain());
+      const auto eager = voxelize_by(judge, *root);
+      REQUIRE(eager);
+      const lazy_octree<lane_judge<surface>> lazy(judge, *root);
+      const auto rays = random_rays(scene.reach, 300);
+      const auto expected_leaves = leaves_on(*eager, rays);
+      CHECK(expected_leaves.size() > 100);
+      CHECK(leaves_on(lazy, rays) == expected_leaves);
+      const std::size_t decided = lazy.decided_count();
+      CHECK(leaves_on(lazy, rays) == expected_leaves); // from what is remembered
+      CHECK(lazy.decided_count() == decided);
+      if (level == 8)
+        CHECK(decided < eager->node_count() / 2);
+    }
+  });
+}
+
+TEST_CASE("octree.lazy: threads share one", "[property]") {
+  const tanglecube f;
+  const box domain{{-2.5, -2.5, -2.5}, {2.5, 2.5, 2.5}};
+  const auto root = enclosing_root(domain, 9);
+  const lane_judge<tanglecube> judge(f, domain);
+  const auto eager = voxelize_by(judge, *root);
+  const auto rays = random_rays(2.5, 2000);
+  const auto expected_leaves = leaves_on(*eager, rays);
+  const lazy_octree<lane_judge<tanglecube>> lazy(judge, *root);
+  std::vector<std::vector<seen_leaf>> seen(4);
+  std::vector<std::thread> threads;
+  for (auto& s : seen)
+    threads.emplace_back([&] { s = leaves_on(lazy, rays); });
+  for (std::thread& t : threads)
+    t.join();
+  for (const auto& s : seen)
+    CHECK(s == expected_leaves);
+}
