@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures first hits and writes docs/traversal.md's tables and docs/traversal.svg.
+"""Measures first hits and writes docs/first_hits.md's tables and docs/first_hits.svg.
 
 usage: bench/traversal_figures.py PROGRAM [--from FILE] [options of the program]
 PROGRAM is graze-traversal-bench; --from takes its --json output instead of running it.
@@ -97,12 +97,12 @@ def main():
                      + ", ".join(f"{voxels[p]:.1f} ms ({p})" for p in PATHS if p in voxels) + ".",
                      table([r for r in here if r["octree_level"] == 9], "levels", "NL"),
                      table([r for r in here if r["levels"] == 30], "octree_level", "octree's level")]
-    page = DOCS / "traversal.md"
+    page = DOCS / "first_hits.md"
     before, rest = page.read_text().split("<!-- measured -->\n", 1)
     after = rest.split("<!-- end of measured -->", 1)[1]
     page.write_text(before + "<!-- measured -->\n" + "\n\n".join(sections)
                     + "\n\n<!-- end of measured -->" + after)
-    (DOCS / "traversal.svg").write_text(figure([r for r in hits if r["scene"] == "tanglecube"]))
+    (DOCS / "first_hits.svg").write_text(figure([r for r in hits if r["scene"] == "tanglecube"]))
 
 
 if __name__ == "__main__":

@@ -135,7 +135,10 @@ std::optional<finding> campaign_result::worst_finding() const {
 }
 
 trial trial_of(const campaign_plan& plan, std::uint64_t index) {
-  return make_trial(*plan.generators[index % plan.generators.size()], plan.seed, index, plan.level);
+  const std::uint64_t kinds = plan.generators.size();
+  const auto levels = static_cast<std::uint64_t>(std::max(1, plan.last_level - plan.level + 1));
+  const int level = plan.level + static_cast<int>(index / kinds % levels);
+  return make_trial(*plan.generators[index % kinds], plan.seed, index, level);
 }
 
 campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,

@@ -87,6 +87,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["traversal"] = plan.under_test->name;
   object["promise"] = name_of(plan.under_test->make()->promises());
   object["level"] = plan.level;
+  object["last_level"] = plan.last_level;
   object["seed"] = plan.seed;
   object["threads"] = plan.threads;
   put(object, result.total);

@@ -77,7 +77,9 @@ TEST_CASE("graze-fuzz run: bad input is one line and exit code 2", "[unit]") {
   refused("run --generator nothing", "no generator is called \"nothing\"");
   refused("run --level 0", "level 0 is outside 1..53");
   refused("run --level 54", "level 54 is outside 1..53");
-  refused("run --level x", "--level");
+  refused("run --level x", "level x is outside 1..53");
+  for (const char* range : {"5-4", "0-4", "4-54", "4-", "-4", "1-2-3", "1-x"})
+    refused(std::string("run --level=") + range, "is outside 1..53");
   refused("run --seconds nan", "--seconds");
   refused("run --seconds -1", "--seconds");
   refused("run --rays -5", "--rays");

@@ -1,5 +1,6 @@
 // The paths and the scalar code agree on every verdict: which children a ray passes and in which
 // order, which of them a surface is proven not to meet, first hits, and whole octrees.
+#include "../../support/test_inputs.hpp"
 #include "../surface_judge.hpp"
 #include "../surface_scenes.hpp"
 #include "walk_by.hpp"
@@ -61,7 +62,7 @@ bool same(const sparse_octree& a, const sparse_octree& b) {
 
 TEST_CASE("octree.lanes: children passed and their order are the scalar method's on every path",
           "[property]") {
-  constexpr std::uint64_t rays_a_level = 120;
+  const auto rays_a_level = static_cast<std::uint64_t>(std::max(1l, test::input_count() / 800));
   const cube roots[] = {{{0, 0, 0}, 1}, {{-4, -4, -4}, 8}, {{0x1p900, 0, -0x1p900}, 0x1p900}};
   for_each_path([&](batch::path p) {
     const path_under_test& lanes = walks_of(p);

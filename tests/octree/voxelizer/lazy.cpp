@@ -6,6 +6,7 @@
 #include <graze/octree/lane_kernels.hpp>
 #include <graze/octree/lazy_octree.hpp>
 #include <graze/octree/sound.hpp>
+#include <graze/octree/surface_traversal.hpp>
 #include <thread>
 
 using namespace graze;
@@ -90,4 +91,37 @@ TEST_CASE("octree.lazy: threads share one", "[property]") {
     t.join();
   for (const auto& s : seen)
     CHECK(s == expected_leaves);
+}
+
+TEST_CASE("octree.lazy: first hits are those of the eager octree", "[property]") {
+  scenes::for_each([](const auto& scene) {
+    using surface = std::decay_t<decltype(scene.surface)>;
+    using judge_type = lane_judge<surface>;
+    const auto root = enclosing_root(scene.domain(), 7);
+    const judge_type judge(scene.surface, scene.domain());
+    const auto eager = voxelize_by(judge, *root);
+    REQUIRE(eager);
+    for (const int level : {7, 12, 30}) {
+      const lazy_octree<judge_type> lazy(judge, *root);
+      const auto known =
+          surface_traversal<surface>::make(scene.surface, scene.domain(), *eager, level);
+      const auto found =
+          surface_traversal<surface, method, rounding::upward, lazy_octree<judge_type>>::make(
+              scene.surface, scene.domain(), lazy, level);
+      REQUIRE(known);
+      REQUIRE(found);
+      long wrong = 0, hits = 0;
+      for (int j = 3; j < 512; j += 23)
+        for (int i = 5; i < 512; i += 23) {
+          const ray r = scene.pixel(i, j);
+          const surface_hit a = known->first_hit(r), b = found->first_hit(r);
+          wrong += a.outcome != b.outcome || a.t_near != b.t_near || a.t_far != b.t_far ||
+                   !(a.leaf == b.leaf) || a.certified_leaf != b.certified_leaf;
+          hits += a.outcome == verdict::hit;
+        }
+      CHECK(wrong == 0);
+      CHECK(hits > 20);
+      CHECK(lazy.decided_count() < eager->node_count());
+    }
+  });
 }

@@ -15,7 +15,8 @@ namespace graze::fuzz {
 struct campaign_plan {
   const traversal_entry* under_test = nullptr;
   std::vector<const generator*> generators;
-  int level = 50; ///< 1..53
+  int level = 50;      ///< 1..53
+  int last_level = 50; ///< rays take the levels from `level` to this one in turn
   std::uint64_t seed = 1;
   unsigned threads = 1;
   double seconds = 0;     ///< 0: no limit of time

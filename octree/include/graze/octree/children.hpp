@@ -10,11 +10,6 @@ namespace graze::octree {
 /// `certified`, a part of it, where a zero in it is proven.
 struct leaf_children {
   std::uint8_t mask = 0, certified = 0;
-  [[nodiscard]] content of(unsigned child) const {
-    return (certified >> child & 1) != 0
-               ? content::certified
-               : ((mask >> child & 1) != 0 ? content::possible : content::none);
-  }
 };
 
 /// Decides about the children of an octant; its functions are called within a scope and depend on

@@ -17,8 +17,8 @@ namespace graze::octree {
 ///
 /// Any number of threads may share one. What is decided depends on the octant alone; where two
 /// decide the same octant at once, the first to publish it wins, and the other's room is lost.
-/// Memory: 8 bytes an octant looked at above the last level, none for a leaf. Its functions are
-/// called within a scope of the judge.
+/// Memory: 8 bytes an octant looked at above the last level, none for a leaf. Any rounding
+/// mode: it takes the judge's scope where it decides.
 template <ChildrenJudge J> class lazy_octree {
 public:
   struct node {
@@ -103,6 +103,7 @@ private:
 
   std::uint64_t decide(std::atomic<std::uint64_t>& word, const cube& cell, int depth) const {
     std::uint64_t w = decided_bit;
+    [[maybe_unused]] const typename J::scope scope; // the caller's mode may be another
     typename J::octant octant(cell);
     if (depth + 1 == level()) {
       const leaf_children leaves = judge_.leaves(octant);
