@@ -8,6 +8,7 @@
 #include <graze/octree/sound.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <thread>
+#include <xmmintrin.h>
 
 using namespace graze;
 using namespace graze::octree;
@@ -34,6 +35,17 @@ template <class T> std::vector<seen_leaf> leaves_on(const T& tree, const std::ve
             });
   return seen;
 }
+
+/// Keeps everything, if it is asked within its scope.
+struct judge_of_modes {
+  using scope = rounding::upward::scope;
+  using octant = cube;
+  static bool rounds_up() { return (_mm_getcsr() & 0x6000) == 0x4000; }
+  std::uint8_t open(const cube&) const { return rounds_up() ? 0xff : 0; }
+  leaf_children leaves(const cube&) const {
+    return rounds_up() ? leaf_children{0xff, 0x0f} : leaf_children{};
+  }
+};
 
 std::vector<ray> random_rays(double reach, int count) {
   judge::random_source random(17);
@@ -72,6 +84,17 @@ TEST_CASE("octree.lazy: rays meet the eager octree's leaves, in order", "[proper
         CHECK(decided < eager->node_count() / 2);
     }
   });
+}
+
+TEST_CASE("octree.lazy: the judge is asked in its own scope, the caller's mode stays", "[unit]") {
+  const lazy_octree<judge_of_modes> lazy(judge_of_modes{}, *root_cube::make({{0, 0, 0}, 1}, 2));
+  const unsigned before = _mm_getcsr();
+  CHECK(lazy.child_mask(lazy.root(), lazy.box(), 0x7f) == 0x7f);
+  const auto child = lazy.child(lazy.root(), 5);
+  CHECK(lazy.child_mask(child, lazy.box().child(5), 0xff) == 0xff);
+  CHECK(lazy.leaf(lazy.child(child, 3)) == content::certified);
+  CHECK(lazy.leaf(lazy.child(child, 4)) == content::possible);
+  CHECK(_mm_getcsr() == before);
 }
 
 TEST_CASE("octree.lazy: threads share one", "[property]") {

@@ -63,7 +63,7 @@ public:
     const position top = arrange_below(0);
     if (nodes_ > most || leaves_ > most)
       return false;
-    out_.emplace(root_, nodes_ + 1, leaves_);
+    out_.emplace(root_, nodes_ + 1, leaves_); // zeroes them: what one thread does, 7 % at level 12
     for (const auto& [at, n] : above_)
       out_->set(at, n.as_inner());
     out_->set(nodes_, top.as_inner());
