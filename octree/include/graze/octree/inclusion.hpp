@@ -72,9 +72,9 @@ template <rounding::Backend B, Surface F>
 
 /// What is proven about the zeros of f in a closed box.
 enum class content : std::uint8_t {
-  none,      ///< f has no zero in the box
-  possible,  ///< neither is proven
-  certified, ///< f has opposite proven signs at two corners, hence a zero in the box
+  none = 0,      ///< f has no zero in the box
+  possible = 1,  ///< neither is proven
+  certified = 2, ///< f has opposite proven signs at two corners, hence a zero in the box
 };
 
 /// The paper's last-level test (section 2.5), made rigorous: opposite certified signs at two
