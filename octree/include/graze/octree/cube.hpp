@@ -50,8 +50,8 @@ public:
     cube result{{}, size};
     const auto half = std::int64_t{1} << (level - 1);
     for (int axis = 0; axis < 3; ++axis)
-      result.lo[axis] =
-          box_.mid(axis) + static_cast<double>(static_cast<std::int64_t>(index[axis]) - half) * size;
+      result.lo[axis] = box_.mid(axis) +
+                        static_cast<double>(static_cast<std::int64_t>(index[axis]) - half) * size;
     return result;
   }
 
