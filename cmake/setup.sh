@@ -3,7 +3,7 @@
 graze_packages=(
   gcc g++ cmake ninja-build
   libboost-dev libmpfr-dev libgmp-dev catch2 librapidcheck-dev libopenimageio-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev
+  libtbb-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev
   clang-19 libclang-rt-19-dev
 )
 

@@ -122,7 +122,8 @@ int main(int argc, char** argv) {
     else if (a.starts_with("--repetitions="))
       repetitions = std::max(1, std::atoi(argv[i] + 14));
     else {
-      std::fprintf(stderr, "usage: shell_bench [--rays=N] [--repetitions=N] [--no-libraries] [--json]\n");
+      std::fprintf(stderr,
+                   "usage: shell_bench [--rays=N] [--repetitions=N] [--no-libraries] [--json]\n");
       return 2;
     }
   }

@@ -228,7 +228,9 @@ int main(int argc, char** argv) {
   CLI::App* run_command = app.add_subcommand("run", "Search for missed octants");
   run_command->add_option("--traversal", run_with.traversal, "What is under test")
       ->capture_default_str();
-  run_command->add_option("--level", run_with.level, "Level of the octants, 1 to 53, or a range taken in turn: 1-50")
+  run_command
+      ->add_option("--level", run_with.level,
+                   "Level of the octants, 1 to 53, or a range taken in turn: 1-50")
       ->capture_default_str();
   run_command->add_option("--generator", run_with.generators, "Names of generators, or all")
       ->delimiter(',')

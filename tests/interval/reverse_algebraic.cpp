@@ -1,8 +1,8 @@
 // sqr_rev abs_rev pown_rev cosh_rev mul_rev mul_rev_to_pair pow_rev1 pow_rev2: tightest, judged by
 // MPFR's direct functions (reverse_judge.hpp).
+#include "../support/test_inputs.hpp"
 #include "hard_operands.hpp"
 #include "reverse_judge.hpp"
-#include "../support/test_inputs.hpp"
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <climits>

@@ -1,8 +1,8 @@
 // sin_rev cos_rev tan_rev: tightest for arguments of any size, judged by the formula: the solutions
 // are the intervals between the inverse functions' values, moved by k periods, in MPFR with as many
 // bits as k and then 250. (The code under test uses no such reduction.)
-#include "hard_operands.hpp"
 #include "../support/test_inputs.hpp"
+#include "hard_operands.hpp"
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>

@@ -41,19 +41,25 @@ TEST_CASE("octree.root_cube: refuses a root whose octants would have rounded cor
 }
 
 TEST_CASE("octree.cube: a path of children gives the octant of the index, exactly", "[unit]") {
-  const auto root = root_cube::make({{-2, -2, -2}, 4}, 53);
+  // on [-3,3]^3 at level 52 lo + index * size is not the corner for half of the far indices
+  const auto [box, deepest] =
+      GENERATE(std::pair{cube{{-2, -2, -2}, 4}, 53}, std::pair{cube{{-3, -3, -3}, 6}, 52});
+  const auto root = root_cube::make(box, deepest);
   REQUIRE(root);
-  std::array<std::uint64_t, 3> index{};
-  cube cell = root->box();
   std::uint64_t bits = 0x9e3779b97f4a7c15u;
-  for (int level = 1; level <= 53; ++level) {
-    bits ^= bits << 13, bits ^= bits >> 7, bits ^= bits << 17;
-    const unsigned child = bits & 7;
-    cell = cell.child(child);
-    for (unsigned a = 0; a < 3; ++a)
-      index[a] = 2 * index[a] + (child >> a & 1);
-    REQUIRE(cell == root->octant(index, level));
-    for (int a = 0; a < 3; ++a)
-      REQUIRE(cell.hi(a) - cell.lo[a] == cell.size);
+  for (int path = 0; path < 100; ++path) {
+    std::array<std::uint64_t, 3> index{};
+    cube cell = root->box();
+    REQUIRE(cell == root->octant(index, 0));
+    for (int level = 1; level <= deepest; ++level) {
+      bits ^= bits << 13, bits ^= bits >> 7, bits ^= bits << 17;
+      const unsigned child = bits & 7;
+      cell = cell.child(child);
+      for (unsigned a = 0; a < 3; ++a)
+        index[a] = 2 * index[a] + (child >> a & 1);
+      REQUIRE(cell == root->octant(index, level));
+      for (int a = 0; a < 3; ++a)
+        REQUIRE(cell.hi(a) - cell.lo[a] == cell.size);
+    }
   }
 }

@@ -40,12 +40,18 @@ public:
   [[nodiscard]] const cube& box() const { return box_; }
   [[nodiscard]] int level() const { return level_; }
 
-  /// The octant at `index` (0 <= index[a] < 2^level) of `level`. Exact.
+  /// The octant at `index` (0 <= index[a] < 2^level) of `level`. Exact, since it counts from the
+  /// middle: lo + index * size would round on some roots ([-3,3]^3 at level 52).
+  /// Proof: proofs/coq/Root_cube.v, octant_from_middle.
   [[nodiscard]] cube octant(const std::array<std::uint64_t, 3>& index, int level) const {
     const double size = std::ldexp(box_.size, -level);
+    if (level == 0)
+      return box_;
     cube result{{}, size};
+    const auto half = std::int64_t{1} << (level - 1);
     for (int axis = 0; axis < 3; ++axis)
-      result.lo[axis] = box_.lo[axis] + static_cast<double>(index[axis]) * size;
+      result.lo[axis] = box_.mid(axis) +
+                        static_cast<double>(static_cast<std::int64_t>(index[axis]) - half) * size;
     return result;
   }
 

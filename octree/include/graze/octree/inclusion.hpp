@@ -2,6 +2,7 @@
 /// What intervals prove about a surface: enclosures of f and of its gradient on a box, certified
 /// signs at points, and what they say about the zeros in a box. Every function here is called
 /// within a scope of the backend of its interval type.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <graze/octree/box.hpp>
@@ -46,7 +47,9 @@ template <rounding::Backend B, Surface F>
 [[nodiscard]] bound<B> mean_value_form(const F& f, const bound3<B>& x, const bound3<B>& gradient) {
   bound3<B> centre;
   for (int a = 0; a < 3; ++a)
-    centre[a] = bound<B>(x[a].lower() / 2 + x[a].upper() / 2);
+    // clamped, since halves of subnormal numbers are rounded
+    centre[a] =
+        bound<B>(std::clamp(x[a].lower() / 2 + x[a].upper() / 2, x[a].lower(), x[a].upper()));
   bound<B> r = natural_extension<B>(f, centre);
   for (int a = 0; a < 3; ++a)
     r = r + gradient[a] * (x[a] - centre[a]);
@@ -72,9 +75,9 @@ template <rounding::Backend B, Surface F>
 
 /// What is proven about the zeros of f in a closed box.
 enum class content : std::uint8_t {
-  none,      ///< f has no zero in the box
-  possible,  ///< neither is proven
-  certified, ///< f has opposite proven signs at two corners, hence a zero in the box
+  none = 0,      ///< f has no zero in the box
+  possible = 1,  ///< neither is proven
+  certified = 2, ///< f has opposite proven signs at two corners, hence a zero in the box
 };
 
 /// The paper's last-level test (section 2.5), made rigorous: opposite certified signs at two

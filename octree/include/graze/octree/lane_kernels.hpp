@@ -10,6 +10,8 @@
 #include <graze/batch.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree/voxelizer.hpp>
+#include <graze/rounding/nearest.hpp>
+#include <graze/rounding/upward.hpp>
 #include <span>
 
 namespace graze::octree {
@@ -22,9 +24,12 @@ template <Surface F> struct lane_kernels {
   /// The same for `count` rays, two in turn; counts are added to.
   void (*first_hits)(const F&, const box& domain, const sparse_octree&, int level, const ray* rays,
                      std::size_t count, surface_hit* hits, traversal_counts*);
-  /// Fills the room with the octree of voxelize<F> below the node returned, which is the root's.
-  sparse_octree::builder::inner (*voxelize)(const F&, const box& domain, const cube& root,
-                                            int level, sparse_octree::room&);
+  /// What scalar_judge says of an octant, and what voxelization adds below it. Within a scope of
+  /// lane_judge.
+  std::uint8_t (*open)(const F&, const box& domain, const cube& cell);
+  leaf_children (*leaves)(const F&, const box& domain, const cube& cell);
+  sparse_octree::builder::inner (*voxelize)(const F&, const box& domain, const cube& cell,
+                                            int level, int last_level, sparse_octree::builder&);
 };
 
 /// The path's kernels. The path must run here (batch::refusal).
@@ -34,6 +39,42 @@ template <> const lane_kernels<quartdef>& lane_kernels_of<quartdef>(batch::path 
 template <> const lane_kernels<tanglecube>& lane_kernels_of<tanglecube>(batch::path p);
 template <> const lane_kernels<holesrot>& lane_kernels_of<holesrot>(batch::path p);
 
+/// The scalar backend beside the kernels, whose scope serves every path: embedded rounding looks at
+/// no mode.
+#if defined(__x86_64__)
+using kernel_backend = rounding::upward;
+#else
+using kernel_backend = rounding::nearest;
+#endif
+
+/// scalar_judge's verdicts by a path's kernels. Models ChildrenJudge; a whole subtree is one call.
+/// `f` must outlive it.
+template <Surface F> class lane_judge {
+public:
+  using scope = typename kernel_backend::scope;
+  using octant = cube;
+  /// The path must run here (batch::refusal).
+  lane_judge(const F& f, const box& domain, batch::path p = batch::path_in_use())
+      : f_(&f), domain_(domain), kernels_(&lane_kernels_of<F>(p)) {}
+
+  [[nodiscard]] std::uint8_t open(const cube& cell) const {
+    return kernels_->open(*f_, domain_, cell);
+  }
+  [[nodiscard]] leaf_children leaves(const cube& cell) const {
+    return kernels_->leaves(*f_, domain_, cell);
+  }
+  /// Adds all that is below an octant of `level`, and returns its node.
+  sparse_octree::builder::inner voxelize(const cube& cell, int level, int last_level,
+                                         sparse_octree::builder& out) const {
+    return kernels_->voxelize(*f_, domain_, cell, level, last_level, out);
+  }
+
+private:
+  const F* f_;
+  box domain_;
+  const lane_kernels<F>* kernels_;
+};
+
 /// voxelize(f, root, domain) by a path's kernels: the same octree, or the same refusal; and refuses
 /// a path that does not run here. Any rounding mode; any thread.
 template <Surface F>
@@ -42,14 +83,9 @@ template <Surface F>
                                                         batch::path p = batch::path_in_use()) {
   if (const auto reason = batch::refusal(p))
     return unexpected{*reason};
-  if (!(domain.lo[0] <= domain.hi[0] && domain.lo[1] <= domain.hi[1] &&
-        domain.lo[2] <= domain.hi[2]))
+  if (!detail::is_proper(domain))
     return unexpected{"domain is empty"};
-  sparse_octree::room out(root);
-  const auto top = lane_kernels_of<F>(p).voxelize(f, domain, root.box(), root.level(), out);
-  if (out.overflowed)
-    return unexpected{"the octree has more than 2^32 nodes at this level"};
-  return std::move(out).finish(top);
+  return voxelize_by(lane_judge<F>(f, domain, p), root);
 }
 
 /// The same in the smallest symmetric root that holds the domain.

@@ -19,9 +19,19 @@ template <class Path, Surface F> consteval lane_kernels<F> make_lane_kernels() {
              std::size_t count, surface_hit* hits, traversal_counts* counts) {
             first_hits_eight<Path>(f, domain, octree, level, rays, count, hits, counts);
           },
-          [](const F& f, const box& domain, const cube& root, int level, sparse_octree::room& out) {
-            const typename backend_beside<Path>::scope scope;
-            return detail::voxelization_eight<Path, F>(f, domain, level, out).whole(root);
+          [](const F& f, const box& domain, const cube& cell) {
+            eight_octant<Path> o(cell);
+            return eight_judge<Path, F>(f, domain).open(o);
+          },
+          [](const F& f, const box& domain, const cube& cell) {
+            eight_octant<Path> o(cell);
+            return eight_judge<Path, F>(f, domain).leaves(o);
+          },
+          [](const F& f, const box& domain, const cube& cell, int level, int last_level,
+             sparse_octree::builder& out) {
+            const eight_judge<Path, F> judge(f, domain);
+            return detail::voxelization<eight_judge<Path, F>>(judge, last_level, out)
+                .node(eight_octant<Path>(cell), level);
           }};
 }
 

@@ -37,14 +37,14 @@ struct traversal_counts {
 
 /// The octree continued below its last level by the surface's own enclosures. Models Tree; its
 /// functions are called within a scope of B.
-template <Surface F, rounding::Backend B> class continued_octree {
+template <Surface F, rounding::Backend B, class Octree = sparse_octree> class continued_octree {
 public:
   struct node {
-    sparse_octree::node index; ///< at or below the octree's last level without meaning
+    typename Octree::node index; ///< at or below the octree's last level without meaning
     int depth;
   };
 
-  continued_octree(const F& f, const box& domain, const sparse_octree& octree)
+  continued_octree(const F& f, const box& domain, const Octree& octree)
       : f_(f), domain_(domain), octree_(octree) {}
 
   [[nodiscard]] node root() const { return {octree_.root(), 0}; }
@@ -54,7 +54,7 @@ public:
                                      : evaluated_mask(cell, wanted);
   }
   [[nodiscard]] node child(const node& n, unsigned index) const {
-    return {n.depth < octree_.level() ? octree_.child(n.index, index) : 0, n.depth + 1};
+    return {n.depth < octree_.level() ? octree_.child(n.index, index) : n.index, n.depth + 1};
   }
 
 private:
@@ -77,7 +77,7 @@ private:
 
   const F& f_;
   const box& domain_;
-  const sparse_octree& octree_;
+  const Octree& octree_;
 };
 
 /// What is known of the first root while a ray is followed from octant to octant, front to back. No
@@ -181,10 +181,10 @@ private:
 /// How the rays of a surface_traversal go down by the method M: here, by descend(). Specialized for
 /// methods that look at eight children at a time (descent_eight.hpp).
 template <Method M> struct surface_descent {
-  template <rounding::Backend B, Surface F, class Visit>
-  static bool run(const ray& r, const F& f, const box& domain, const sparse_octree& octree,
-                  int level, const Visit& visit, std::uint64_t& cells_opened) {
-    const continued_octree<F, B> tree(f, domain, octree);
+  template <rounding::Backend B, Surface F, class Octree, class Visit>
+  static bool run(const ray& r, const F& f, const box& domain, const Octree& octree, int level,
+                  const Visit& visit, std::uint64_t& cells_opened) {
+    const continued_octree<F, B, Octree> tree(f, domain, octree);
     return descend(
         M(r), octree.box(), level, tree,
         [&](const cube& cell, const auto&, const auto&) { return visit(cell); }, &cells_opened);
@@ -273,10 +273,11 @@ private:
 /// First hits with one surface. M is the Method by which the ray descends; the verdicts are proven
 /// for the sound one in the convention `owned`, which is front to back; with a baseline they are
 /// what that baseline makes of the scene. B evaluates the surface; its scope must be compatible
-/// with M's: the same, or one that sets no mode. Sources: DESIGN, contracts 4 to 7; the paper,
-/// Fig. 1.
+/// with M's: the same, or one that sets no mode. Octree is a sparse_octree or a lazy_octree, with
+/// the same result at any level that is not above the octree's own. Sources: DESIGN, contracts 4 to
+/// 7; the paper, Fig. 1.
 template <Surface F, Method M = sound<rounding::upward, convention::owned>,
-          rounding::Backend B = rounding::upward>
+          rounding::Backend B = rounding::upward, class Octree = sparse_octree>
 class surface_traversal {
 public:
   static constexpr std::uint64_t most_leaves = first_hit_in_progress<F, M, B>::most_leaves;
@@ -284,7 +285,7 @@ public:
   /// `octree` must come from voxelizing the same surface in the same domain, and outlive this
   /// object. Refuses a level outside 1..53 or at which the octree's root is not exact.
   [[nodiscard]] static expected<surface_traversal> make(const F& surface, const box& domain,
-                                                        const sparse_octree& octree, int level) {
+                                                        const Octree& octree, int level) {
     const expected<root_cube> root = root_cube::make(octree.box(), level);
     if (!root)
       return unexpected{root.reason()};
@@ -293,7 +294,7 @@ public:
 
   /// The same for arguments that make() has accepted before.
   [[nodiscard]] static surface_traversal accepted(const F& surface, const box& domain,
-                                                  const sparse_octree& octree, int level) {
+                                                  const Octree& octree, int level) {
     return surface_traversal(surface, domain, octree, level);
   }
 
@@ -322,7 +323,7 @@ public:
   [[nodiscard]] int level() const { return level_; }
 
 private:
-  surface_traversal(const F& surface, const box& domain, const sparse_octree& octree, int level)
+  surface_traversal(const F& surface, const box& domain, const Octree& octree, int level)
       : surface_(surface), domain_(domain), octree_(&octree), level_(level) {}
 
   using progress = first_hit_in_progress<F, M, B>;
@@ -332,7 +333,7 @@ private:
 
   F surface_;
   box domain_;
-  const sparse_octree* octree_;
+  const Octree* octree_;
   int level_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Voxelization with the children of an octant in the lanes of a path: the octree of voxelize(),
-/// byte for byte.
+/// The judge of voxelizations with an octant's children in the lanes of a path: the verdicts of
+/// scalar_judge. For files compiled for the path's instructions.
 #include <graze/octree/inclusion_eight.hpp>
 #include <graze/octree/sound_eight.hpp>
 #include <graze/octree/voxelizer.hpp>
@@ -74,112 +74,88 @@ GRAZE_BATCH_INLINE unsigned children_with(unsigned points) {
   return (points & 3) | (points >> 1 & 0xc) | (points >> 5 & 0x30) | (points >> 6 & 0xc0);
 }
 
-template <class Path, Surface F> class voxelization_eight {
+} // namespace detail
+
+/// An octant as the lanes have it.
+template <class Path> struct eight_octant {
+  using lanes = octet<Path>;
+  lanes corner; ///< x, y, z in lanes 0 to 2 and 4 to 6
+  double half;
+  bool cut = true; ///< it may reach out of the domain
+
+  GRAZE_BATCH_INLINE explicit eight_octant(const cube& cell)
+      : corner(sound_eight<Path, convention::owned>::corner(cell)), half(cell.size / 2) {}
+  GRAZE_BATCH_INLINE eight_octant(const lanes& c, double h, bool may_be_cut)
+      : corner(c), half(h), cut(may_be_cut) {}
+
+  [[nodiscard]] GRAZE_BATCH_INLINE lanes mid() const {
+    return lanes::add_up(corner, lanes::broadcast(half)); // exact in a root_cube
+  }
+  [[nodiscard]] GRAZE_BATCH_INLINE eight_octant child(unsigned i) const {
+    return {chosen(i << 4 | i, mid(), corner), half / 2, cut};
+  }
+  [[nodiscard]] GRAZE_BATCH_INLINE cube cell() const {
+    alignas(64) double lo[8];
+    corner.store(lo);
+    return {{lo[0], lo[1], lo[2]}, 2 * half};
+  }
+};
+
+/// Models ChildrenJudge. `f` must outlive it.
+template <class Path, Surface F> class eight_judge {
 public:
   using B = backend_beside<Path>;
+  using scope = typename B::scope;
+  using octant = eight_octant<Path>;
   using lanes = octet<Path>;
-  using inner = sparse_octree::builder::inner;
 
-  voxelization_eight(const F& f, const box& domain, int level, sparse_octree::room& out)
-      : f_(f), domain_(domain), last_level_(level), out_(out) {}
+  GRAZE_BATCH_INLINE eight_judge(const F& f, const box& domain) : f_(f), domain_(domain) {}
 
-  inner whole(const cube& root) {
-    return node(sound_eight<Path, convention::owned>::corner(root), root.size / 2, 0, true);
+  [[nodiscard]] GRAZE_BATCH_INLINE std::uint8_t open(octant& o) const {
+    return static_cast<std::uint8_t>(kept(o, o.mid()));
+  }
+
+  [[nodiscard]] GRAZE_BATCH_INLINE leaf_children leaves(octant& o) const {
+    const lanes mid = o.mid();
+    const unsigned open = kept(o, mid);
+    unsigned certified = 0;
+    if (open == 0)
+      return {};
+    if (!o.cut) {
+      const eight_signs s = detail::lattice_signs(f_, o.corner, mid, o.half);
+      certified = open & detail::children_with(s.positive) & detail::children_with(s.negative);
+    }
+    leaf_children r{static_cast<std::uint8_t>(open), static_cast<std::uint8_t>(certified)};
+    for (unsigned rest = open & ~certified; rest != 0; rest &= rest - 1) [[unlikely]] {
+      const unsigned bit = rest & -rest;
+      const box b = closed_box(o.cell().child(static_cast<unsigned>(__builtin_ctz(rest))));
+      const content c = leaf_content<B>(f_, o.cut ? intersection(b, domain_) : b);
+      if (c == content::none)
+        r.mask = static_cast<std::uint8_t>(r.mask & ~bit);
+      if (c == content::certified)
+        r.certified = static_cast<std::uint8_t>(r.certified | bit);
+    }
+    return r;
   }
 
 private:
-  /// The node of the octant with this lower corner, above the last level; mask 0 if nothing is left
-  /// in it. `cut`: it may reach out of the domain.
-  inner node(const lanes& corner, double half, int level, bool cut) {
-    const lanes mid = lanes::add_up(corner, lanes::broadcast(half));
-    auto boxes = eight_boxes<Path>::children(corner, mid, half);
+  /// Children that may have a zero.
+  GRAZE_BATCH_INLINE unsigned kept(octant& o, const lanes& mid) const {
+    auto boxes = eight_boxes<Path>::children(o.corner, mid, o.half);
     unsigned outside = 0;
-    if (cut) {
-      const cube cell = cube_at(corner, 2 * half);
-      cut = false;
+    if (o.cut) {
+      const cube cell = o.cell();
+      o.cut = false;
       for (int a = 0; a < 3; ++a)
-        cut = cut || cell.lo[a] < domain_.lo[a] || domain_.hi[a] < cell.hi(a);
-      if (cut)
+        o.cut = o.cut || cell.lo[a] < domain_.lo[a] || domain_.hi[a] < cell.hi(a);
+      if (o.cut)
         outside = boxes.cut(domain_);
     }
-    const unsigned kept = ~(have_no_zero(f_, boxes, ~outside) | outside) & 0xff;
-    return level + 1 == last_level_ ? leaves_below(corner, mid, half, kept, cut)
-                                    : nodes_below(corner, mid, half, level, kept, cut);
-  }
-
-  inner nodes_below(const lanes& corner, const lanes& mid, double half, int level, unsigned kept,
-                    bool cut) {
-    inner found[8];
-    unsigned count = 0, mask = 0;
-    for (unsigned rest = kept; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<unsigned>(std::countr_zero(rest));
-      const inner n = node(chosen(i << 4 | i, mid, corner), half / 2, level + 1, cut);
-      if (n.mask == 0)
-        continue;
-      found[count++] = n;
-      mask |= 1u << i;
-    }
-    const inner r{static_cast<std::uint8_t>(mask), static_cast<std::uint32_t>(out_.nodes)};
-    if (room_for_eight())
-      for (unsigned i = 0; i < count; ++i) {
-        out_.masks[out_.nodes] = found[i].mask;
-        out_.first_children[out_.nodes++] = found[i].first_child;
-      }
-    return r;
-  }
-
-  inner leaves_below(const lanes& corner, const lanes& mid, double half, unsigned kept, bool cut) {
-    inner r{0, static_cast<std::uint32_t>(out_.leaf_count)};
-    if (kept == 0 || !room_for_eight())
-      return r;
-    unsigned certified = 0;
-    if (!cut) {
-      const eight_signs s = lattice_signs(f_, corner, mid, half);
-      certified = children_with(s.positive) & children_with(s.negative);
-    }
-    if ((kept & ~certified) == 0) [[likely]] {
-      r.mask = static_cast<std::uint8_t>(kept);
-      for (unsigned i = 0; i < 8; ++i) // those beyond the count are written over
-        out_.leaves[out_.leaf_count + i] = content::certified;
-      out_.leaf_count += static_cast<unsigned>(std::popcount(kept));
-      return r;
-    }
-    for (unsigned rest = kept; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<unsigned>(std::countr_zero(rest));
-      content c = content::certified;
-      if ((certified >> i & 1) == 0) {
-        const box b = closed_box(cube_at(corner, 2 * half).child(i));
-        c = leaf_content<B>(f_, cut ? intersection(b, domain_) : b);
-      }
-      if (c == content::none)
-        continue;
-      out_.leaves[out_.leaf_count++] = c;
-      r.mask = static_cast<std::uint8_t>(r.mask | 1u << i);
-    }
-    return r;
-  }
-
-  bool room_for_eight() {
-    constexpr std::size_t most = 0xffff'ffff - 8; // indices are 32 bits wide
-    out_.overflowed = out_.overflowed || out_.nodes > most || out_.leaf_count > most;
-    if (out_.overflowed)
-      return false;
-    if (out_.nodes + 8 > out_.most_nodes || out_.leaf_count + 8 > out_.most_leaves) [[unlikely]]
-      out_.more(out_);
-    return true;
-  }
-
-  static GRAZE_BATCH_INLINE cube cube_at(const lanes& corner, double size) {
-    alignas(64) double lo[8];
-    corner.store(lo);
-    return {{lo[0], lo[1], lo[2]}, size};
+    return ~(have_no_zero(f_, boxes, ~outside) | outside) & 0xff;
   }
 
   const F& f_;
   box domain_;
-  int last_level_;
-  sparse_octree::room& out_;
 };
-} // namespace detail
 
 } // namespace graze::octree

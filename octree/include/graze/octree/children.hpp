@@ -1,0 +1,72 @@
+#pragma once
+/// What a surface leaves of an octant's eight children: the question that every voxelization asks,
+/// eager, parallel or lazy.
+#include <concepts>
+#include <graze/octree/inclusion.hpp>
+
+namespace graze::octree {
+
+/// The children at the last level: bit i of `mask` is set where child i is kept, and bit i of
+/// `certified`, a part of it, where a zero in it is proven.
+struct leaf_children {
+  std::uint8_t mask = 0, certified = 0;
+};
+
+/// Decides about the children of an octant; its functions are called within a scope and depend on
+/// nothing but the octant. `octant` is what the judge knows one by, and what it finds out about one
+/// it may note there for the octants below: a cube, or more. `open(octant)`: bit i is clear only
+/// where f is proven to have no zero in child i within the domain. `leaves(octant)`: the same for
+/// children at the last level, by the last-level test.
+template <class J>
+concept ChildrenJudge = std::constructible_from<typename J::octant, const cube&> &&
+                        requires(const J judge, typename J::octant octant, unsigned child) {
+                          typename J::scope;
+                          { octant.child(child) } -> std::same_as<typename J::octant>;
+                          { judge.open(octant) } -> std::same_as<std::uint8_t>;
+                          { judge.leaves(octant) } -> std::same_as<leaf_children>;
+                        };
+
+/// By scalar intervals over B, for any surface. `f` must outlive it.
+template <Surface F, rounding::Backend B = rounding::upward> class scalar_judge {
+public:
+  using scope = typename B::scope;
+  using octant = cube;
+  scalar_judge(const F& f, const box& domain) : f_(&f), domain_(domain) {}
+
+  [[nodiscard]] std::uint8_t open(const cube& cell) const {
+    const bool cut = is_cut(cell);
+    unsigned mask = 0;
+    for (unsigned i = 0; i < 8; ++i)
+      if (const box b = part(cell.child(i), cut); !b.empty() && !has_no_zero<B>(*f_, b))
+        mask |= 1u << i;
+    return static_cast<std::uint8_t>(mask);
+  }
+
+  [[nodiscard]] leaf_children leaves(const cube& cell) const {
+    const bool cut = is_cut(cell);
+    leaf_children r;
+    for (unsigned i = 0; i < 8; ++i) {
+      const box b = part(cell.child(i), cut);
+      if (b.empty() || has_no_zero<B>(*f_, b))
+        continue;
+      const content c = leaf_content<B>(*f_, b);
+      r.mask = static_cast<std::uint8_t>(r.mask | (c != content::none ? 1u << i : 0));
+      r.certified =
+          static_cast<std::uint8_t>(r.certified | (c == content::certified ? 1u << i : 0));
+    }
+    return r;
+  }
+
+private:
+  /// Part of the octant is outside of the domain.
+  [[nodiscard]] bool is_cut(const cube& cell) const { return !contains(domain_, closed_box(cell)); }
+  /// The part of a child that counts; empty() outside the domain.
+  [[nodiscard]] box part(const cube& child, bool cut) const {
+    return cut ? intersection(closed_box(child), domain_) : closed_box(child);
+  }
+
+  const F* f_;
+  box domain_;
+};
+
+} // namespace graze::octree
