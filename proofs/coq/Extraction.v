@@ -5,10 +5,10 @@
     Flocq's reading of the interchange format.
 
     Trusted here: Coq's extraction; [ExtrOcamlZBigInt], which turns [Z] into Zarith's integers; and
-    three functions that go bit by bit in Coq (a million times slower than needed on exponents that
-    lie far apart), of which the program uses Zarith's own: the number of digits, the shift to the
-    left, and the shift to the right with its two bits of what is lost. The definitions come along
-    as [digits_as_defined], [shift_as_defined], [shr_as_defined], and the program compares them with
+    three functions that go bit by bit in Coq (a hundred times slower where exponents lie far apart),
+    of which the program uses Zarith's own: the number of digits, the shift to the left, and the
+    shift to the right with its two bits of what is lost. The definitions come along as
+    [digits_as_defined], [shift_as_defined], [shr_as_defined], and the program compares them with
     their substitutes each time it starts. *)
 From Coq Require Import ZArith List SpecFloat Zpower Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
 From Flocq Require Import Core BinarySingleNaN.
