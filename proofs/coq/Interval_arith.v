@@ -423,6 +423,8 @@ Ltac by_signs :=
   repeat match goal with
   | |- context [is_neg minf] => change (is_neg minf) with true
   | |- context [is_pos inf] => change (is_pos inf) with true
+  | |- context [is_neg inf] => change (is_neg inf) with false
+  | |- context [is_pos minf] => change (is_pos minf) with false
   | F : is_finite ?a = true |- context [is_neg ?a] => rewrite (is_neg_finite a F)
   | F : is_finite ?a = true |- context [is_pos ?a] => rewrite (is_pos_finite a F)
   end; cbv iota;
@@ -447,6 +449,209 @@ Proof.
   all: try (apply max2_above; [not_nan|not_nan|]).
   all: destruct (Rle_dec 0 x), (Rle_dec 0 y);
     first [left; product_bound | right; product_bound].
+Qed.
+
+(** square(x) encloses every square of a member. *)
+Theorem square_encloses X x : contains X x -> contains (square X) (x * x).
+Proof.
+  intros C. unfold square. rewrite (contains_not_empty _ _ C).
+  destruct C as [L U], X as [xl xu]; cbn [lower upper] in *.
+  destruct (below_cases _ _ L) as [->|[F1 H1]], (above_cases _ _ U) as [->|[F2 H2]].
+  - split; [simpl; nra|reflexivity].
+  - change (Bopp minf) with inf. rewrite (lt_finite_inf xu F2).
+    by_signs; split; cbn [lower upper]; try product_bound; simpl; nra.
+  - replace (lt inf (Bopp xl)) with false
+      by (symmetry; apply inf_lt_finite; rewrite is_finite_Bopp; exact F1).
+    by_signs; split; cbn [lower upper]; try product_bound; try (simpl; nra); try exact eq_refl.
+  - rewrite lt_finite by (try rewrite is_finite_Bopp; assumption). rewrite B2R_Bopp.
+    by_signs; split; cbn [lower upper]; try product_bound; simpl; nra.
+Qed.
+
+(** * Quotients *)
+Lemma le_finite (a b : num) : is_finite a = true -> is_finite b = true ->
+  le a b = Rle_bool (B2R a) (B2R b).
+Proof. apply Bleb_correct. Qed.
+Lemma eq_finite (a b : num) : is_finite a = true -> is_finite b = true ->
+  eq a b = Req_bool (B2R a) (B2R b).
+Proof. apply Beqb_correct. Qed.
+Lemma lt_zero_finite (a : num) : is_finite a = true -> lt a zero = Rlt_bool (B2R a) 0.
+Proof. intros F. apply lt_finite; easy. Qed.
+Lemma zero_lt_finite (a : num) : is_finite a = true -> lt zero a = Rlt_bool 0 (B2R a).
+Proof. intros F. apply lt_finite; easy. Qed.
+Lemma le_zero_finite (a : num) : is_finite a = true -> le a zero = Rle_bool (B2R a) 0.
+Proof. intros F. apply le_finite; easy. Qed.
+Lemma zero_le_finite (a : num) : is_finite a = true -> le zero a = Rle_bool 0 (B2R a).
+Proof. intros F. apply le_finite; easy. Qed.
+Lemma eq_zero_finite (a : num) : is_finite a = true -> eq a zero = Req_bool (B2R a) 0.
+Proof. intros F. apply eq_finite; easy. Qed.
+
+Lemma quotient_le a b r : b <> 0 -> (0 < b -> a <= r * b) -> (b < 0 -> r * b <= a) -> a / b <= r.
+Proof.
+  intros Z P N. destruct (Rlt_dec 0 b) as [H|H].
+  - apply Rmult_le_reg_r with b; [exact H|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra.
+    rewrite Rmult_1_r. auto.
+  - apply Rmult_le_reg_r with (- b); [lra|].
+    replace (a / b * - b) with (- a) by (field; lra). assert (r * b <= a) by (apply N; lra). lra.
+Qed.
+Lemma le_quotient a b r : b <> 0 -> (0 < b -> r * b <= a) -> (b < 0 -> a <= r * b) -> r <= a / b.
+Proof.
+  intros Z P N. destruct (Rlt_dec 0 b) as [H|H].
+  - apply Rmult_le_reg_r with b; [exact H|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra.
+    rewrite Rmult_1_r. auto.
+  - apply Rmult_le_reg_r with (- b); [lra|].
+    replace (a / b * - b) with (- a) by (field; lra). assert (a <= r * b) by (apply N; lra). lra.
+Qed.
+
+Ltac quotient_bound :=
+  match goal with
+  | |- below (quotient_down minf _) _ =>
+      unfold quotient_down, minus_infinity; rewrite infinity_over by (assumption || lra);
+      first [rewrite Rlt_bool_true by lra | rewrite Rlt_bool_false by lra]; reflexivity
+  | |- below (quotient_down inf _) _ =>
+      unfold quotient_down, infinity; rewrite infinity_over by (assumption || lra);
+      first [rewrite Rlt_bool_true by lra | rewrite Rlt_bool_false by lra]; reflexivity
+  | |- above (quotient_up minf _) _ =>
+      unfold quotient_up, minus_infinity; rewrite infinity_over by (assumption || lra);
+      first [rewrite Rlt_bool_true by lra | rewrite Rlt_bool_false by lra]; reflexivity
+  | |- above (quotient_up inf _) _ =>
+      unfold quotient_up, infinity; rewrite infinity_over by (assumption || lra);
+      first [rewrite Rlt_bool_true by lra | rewrite Rlt_bool_false by lra]; reflexivity
+  | F : is_finite ?a = true |- below (quotient_down ?a (Model.infinity _ _)) _ =>
+      let t := fresh in let E := fresh in
+      destruct (over_infinity mode_DN false a F) as [t E]; unfold quotient_down, infinity;
+      rewrite E; simpl; nra
+  | F : is_finite ?a = true |- below (quotient_down ?a (Model.minus_infinity _ _)) _ =>
+      let t := fresh in let E := fresh in
+      destruct (over_infinity mode_DN true a F) as [t E]; unfold quotient_down, minus_infinity;
+      rewrite E; simpl; nra
+  | F : is_finite ?a = true |- above (quotient_up ?a (Model.infinity _ _)) _ =>
+      let t := fresh in let E := fresh in
+      destruct (over_infinity mode_UP false a F) as [t E]; unfold quotient_up, infinity;
+      rewrite E; simpl; nra
+  | F : is_finite ?a = true |- above (quotient_up ?a (Model.minus_infinity _ _)) _ =>
+      let t := fresh in let E := fresh in
+      destruct (over_infinity mode_UP true a F) as [t E]; unfold quotient_up, minus_infinity;
+      rewrite E; simpl; nra
+  | |- below (quotient_down ?a ?b) _ =>
+      apply div_down_finite; [assumption|lra|apply quotient_le; [lra|intros; nra|intros; nra]]
+  | |- above (quotient_up ?a ?b) _ =>
+      apply div_up_finite; [assumption|lra|apply le_quotient; [lra|intros; nra|intros; nra]]
+  end.
+
+Ltac compare_with_zero :=
+  change (lt minf zero) with true; change (eq minf zero) with false;
+  change (eq inf zero) with false; change (lt zero inf) with true;
+  change (le zero minf) with false; change (le inf zero) with false;
+  change (le minf zero) with true; change (le zero inf) with true;
+  repeat match goal with
+  | F : is_finite ?a = true |- context [lt ?a zero] => rewrite (lt_zero_finite a F)
+  | F : is_finite ?a = true |- context [lt zero ?a] => rewrite (zero_lt_finite a F)
+  | F : is_finite ?a = true |- context [le ?a zero] => rewrite (le_zero_finite a F)
+  | F : is_finite ?a = true |- context [le zero ?a] => rewrite (zero_le_finite a F)
+  | F : is_finite ?a = true |- context [eq ?a zero] => rewrite (eq_zero_finite a F)
+  end; cbn [andb].
+
+(** x / y encloses x / y for members x and y <> 0. *)
+Theorem div_encloses X Y x y :
+  contains X x -> contains Y y -> y <> 0 -> contains (div X Y) (x / y).
+Proof.
+  intros CX CY Hy. unfold div.
+  rewrite (contains_not_empty _ _ CX), (contains_not_empty _ _ CY). cbn [orb].
+  destruct CX as [L U], CY as [L' U'].
+  assert (S : exists s, s = x / y /\ x = s * y) by (exists (x / y); split; [reflexivity|field; exact Hy]).
+  destruct S as (s & <- & ->).
+  assert (W : contains whole_line s) by (split; reflexivity).
+  assert (P : (0 < s \/ s < 0 \/ s = 0) /\ (0 < y \/ y < 0)) by lra.
+  destruct X as [a b], Y as [c d]; cbn [lower upper] in *.
+  destruct (below_cases _ _ L) as [->|[F1 H1]], (above_cases _ _ U) as [->|[F2 H2]],
+    (below_cases _ _ L') as [->|[F3 H3]], (above_cases _ _ U') as [->|[F4 H4]];
+    compare_with_zero;
+    repeat (first [case Req_bool_spec | case Rlt_bool_spec | case Rle_bool_spec]; intros; cbn [andb]);
+    cbv iota; try exact W; try lra.
+  all: try (assert (s = 0) by nra; subst s; split; simpl; lra).
+  all: split; cbn [lower upper]; try exact eq_refl.
+  all: destruct P as [[P|[P|P]] [Q|Q]]; try nra.
+  all: quotient_bound.
+Qed.
+
+(** * The operators without branches (packed_arithmetic.hpp), on bounded operands *)
+
+(** Negation swaps the bounds, exactly. *)
+Definition neg (x : bounds) : bounds := {| lower := Bopp (upper x); upper := Bopp (lower x) |}.
+Theorem neg_encloses X x : contains X x -> contains (neg X) (- x).
+Proof.
+  intros [L U]. split; cbn [lower upper neg].
+  - destruct (above_cases _ _ U) as [->|[F H]]; [reflexivity|].
+    apply below_finite; [rewrite is_finite_Bopp; exact F|]. rewrite B2R_Bopp. lra.
+  - destruct (below_cases _ _ L) as [->|[F H]]; [reflexivity|].
+    apply above_finite; [rewrite is_finite_Bopp; exact F|]. rewrite B2R_Bopp. lra.
+Qed.
+
+(** maxpd: the second operand where they are equal (or one is NaN). *)
+Definition max_packed (a b : num) : num := if lt b a then a else b.
+Lemma max_packed_above (a b : num) r : is_nan a = false -> is_nan b = false ->
+  above a r \/ above b r -> above (max_packed a b) r.
+Proof.
+  intros Na Nb H. unfold max_packed.
+  destruct (number_cases a Na) as [->|[->|Fa]], (number_cases b Nb) as [->|[->|Fb]];
+    rewrite ?lt_finite_inf, ?lt_minf_finite, ?finite_lt_minf, ?inf_lt_finite by assumption;
+    try exact eq_refl; try (destruct H as [H|H]; first [exact H|discriminate H]).
+  rewrite lt_finite by assumption.
+  case Rlt_bool_spec; intros C; destruct H as [H|H]; apply above_is in H; try assumption;
+    apply above_finite; try assumption; lra.
+Qed.
+Lemma max_packed_number (a b : num) : is_nan a = false -> is_nan b = false ->
+  is_nan (max_packed a b) = false.
+Proof. intros Na Nb. unfold max_packed. destruct (lt b a); assumption. Qed.
+
+(** detail::packed::product: the greatest of four upward products, of each sign; the lower bound is
+    kept negated, as the pair (-a, b). *)
+Definition four_products (x y : bounds) : bounds :=
+  let a := lower x in let b := upper x in let c := lower y in let d := upper y in
+  {| lower := Bopp (max_packed (up (Bopp a) c) (max_packed (up (Bopp a) d)
+                   (max_packed (up (Bopp b) c) (up (Bopp b) d))));
+     upper := max_packed (up b d) (max_packed (up b c) (max_packed (up a d) (up a c))) |}.
+
+Lemma opp_above_below (z : num) r : above z r -> below (Bopp z) (- r).
+Proof.
+  intros H. destruct (above_cases _ _ H) as [->|[F G]]; [reflexivity|].
+  apply below_finite; [rewrite is_finite_Bopp; exact F|]. rewrite B2R_Bopp. lra.
+Qed.
+
+(** One of the four products is at least x y. *)
+Lemma greatest_of_four a b c d x y : a <= x <= b -> c <= y <= d ->
+  x * y <= a * c \/ x * y <= a * d \/ x * y <= b * c \/ x * y <= b * d.
+Proof.
+  intros Hx Hy. destruct (Rle_dec 0 y).
+  - destruct (Rle_dec 0 b); [right; right; right|right; right; left]; nra.
+  - destruct (Rle_dec 0 a); [right; left|left]; nra.
+Qed.
+
+(** The four products enclose every product of members of bounded intervals. *)
+Theorem four_products_enclose X Y x y :
+  is_finite (lower X) = true -> is_finite (upper X) = true ->
+  is_finite (lower Y) = true -> is_finite (upper Y) = true ->
+  contains X x -> contains Y y -> contains (four_products X Y) (x * y).
+Proof.
+  destruct X as [a b], Y as [c d]. cbn [lower upper]. intros Fa Fb Fc Fd [La Ub] [Lc Ud].
+  cbn [lower upper] in *.
+  apply below_is in La; [|assumption]. apply above_is in Ub; [|assumption].
+  apply below_is in Lc; [|assumption]. apply above_is in Ud; [|assumption].
+  split; cbn [lower upper four_products].
+  - replace (x * y) with (- (- x * y)) by ring. apply opp_above_below.
+    assert (Fna : is_finite (Bopp a) = true) by (rewrite is_finite_Bopp; exact Fa).
+    assert (Fnb : is_finite (Bopp b) = true) by (rewrite is_finite_Bopp; exact Fb).
+    destruct (greatest_of_four (- B2R b) (- B2R a) (B2R c) (B2R d) (- x) y) as [H|[H|[H|H]]];
+      try lra;
+      apply max_packed_above; repeat (first [apply up_not_nan; assumption|apply max_packed_number]).
+    all: repeat first [left; apply mul_up_finite; rewrite ?B2R_Bopp; assumption
+      | right; apply mul_up_finite; rewrite ?B2R_Bopp; assumption
+      | right; apply max_packed_above; repeat (first [apply up_not_nan; assumption|apply max_packed_number])].
+  - destruct (greatest_of_four (B2R a) (B2R b) (B2R c) (B2R d) x y) as [H|[H|[H|H]]]; try lra;
+      apply max_packed_above; repeat (first [apply up_not_nan; assumption|apply max_packed_number]).
+    all: repeat first [left; apply mul_up_finite; rewrite ?B2R_Bopp; assumption
+      | right; apply mul_up_finite; rewrite ?B2R_Bopp; assumption
+      | right; apply max_packed_above; repeat (first [apply up_not_nan; assumption|apply max_packed_number])].
 Qed.
 
 End Interval_arith.
