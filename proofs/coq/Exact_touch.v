@@ -11,8 +11,8 @@ Import ListNotations.
 Open Scope R_scope.
 
 Notation double := (float 53 1024).
-#[local] Instance prec_positive : Prec_gt_0 53 := eq_refl.
-#[local] Instance prec_below : Prec_lt_emax 53 1024 := eq_refl.
+#[global] Instance prec_positive : Prec_gt_0 53 := eq_refl.
+#[global] Instance prec_below : Prec_lt_emax 53 1024 := eq_refl.
 Notation zero := (Model.zero 53 1024).
 Notation lt := (Model.lt 53 1024).
 Notation eq := (Model.eq 53 1024).
