@@ -2,7 +2,7 @@
     exact_touch.hpp): what it takes for certain is so, in every rounding mode, underflow and overflow
     included. IEEE arithmetic without flushing to zero. *)
 From Coq Require Import ZArith Bool List Reals Lia Lra Psatz.
-From Flocq Require Import Core BinarySingleNaN Relative Plus_error.
+From Flocq Require Import Core BinarySingleNaN Relative Plus_error Mult_error.
 From Graze Require Import Model Interval_arith Determinant_sign Sum_sign Exact_predicate Exact_touch.
 Open Scope R_scope.
 
@@ -258,3 +258,206 @@ Proof.
   rewrite Ee in *. lra.
 Qed.
 End Mode.
+
+(** * Speeds: |direction| times a power of two, or NaN where that would be rounded *)
+Definition two_to_600 : double := @B754_finite 53 1024 false 4503599627370496 548 eq_refl.
+Definition two_to_minus_600 : double := @B754_finite 53 1024 false 4503599627370496 (-652) eq_refl.
+Definition two_to_400 : double := @B754_finite 53 1024 false 4503599627370496 348 eq_refl.
+Definition two_to_minus_400 : double := @B754_finite 53 1024 false 4503599627370496 (-452) eq_refl.
+Definition two_to_minus_422 : double := @B754_finite 53 1024 false 4503599627370496 (-474) eq_refl.
+
+Lemma power_of_two k (H : SpecFloat.bounded 53 1024 4503599627370496 (k - 52) = true) :
+  @B2R 53 1024 (B754_finite false 4503599627370496 (k - 52) H) = bpow radix2 k.
+Proof.
+  unfold B2R, F2R, Fnum, Fexp, cond_Zopp. replace k with (52 + (k - 52))%Z at 2 by ring.
+  rewrite bpow_plus. reflexivity.
+Qed.
+
+Section Touch.
+Variable m : mode.
+(** The largest |direction|. *)
+Variable largest : double.
+
+Definition factor : double :=
+  if lt largest two_to_minus_400 then two_to_600
+  else if lt two_to_400 largest then two_to_minus_600 else one 53 1024.
+Definition speed_of (a : axis_of_box) : double :=
+  let size := Babs (d a) in
+  if le (one 53 1024) factor || le two_to_minus_422 size then Bmult m size factor else B754_nan.
+
+Lemma one_real : B2R (one 53 1024) = 1. Proof. apply Bone_correct. Qed.
+
+Lemma factor_cases : is_finite largest = true ->
+  (factor = two_to_600 /\ B2R factor = bpow radix2 600 /\ B2R largest < bpow radix2 (-400)) \/
+  (factor = two_to_minus_600 /\ B2R factor = bpow radix2 (-600)) \/
+  (factor = one 53 1024 /\ B2R factor = 1).
+Proof.
+  intros F. unfold factor. rewrite lt_finite by (exact F || reflexivity).
+  rewrite (power_of_two (-400) eq_refl : B2R two_to_minus_400 = _).
+  case Rlt_bool_spec; intros L.
+  - left. split; [reflexivity|]. split; [exact (power_of_two 600 eq_refl)|exact L].
+  - right. destruct (lt two_to_400 largest).
+    + left. split; [reflexivity|exact (power_of_two (-600) eq_refl)].
+    + right. split; [reflexivity|exact one_real].
+Qed.
+
+(** A speed is exact, or NaN. *)
+Lemma speed_exact a : is_finite largest = true -> is_finite (d a) = true ->
+  Rabs (B2R (d a)) <= B2R largest ->
+  speed_of a = B754_nan \/
+  (is_finite (speed_of a) = true /\ B2R (speed_of a) = Rabs (B2R (d a)) * B2R factor).
+Proof.
+  intros Fl Fd L.
+  assert (Fs : is_finite (Babs (d a)) = true) by (rewrite is_finite_Babs; exact Fd).
+  assert (Es : B2R (Babs (d a)) = Rabs (B2R (d a))) by apply B2R_Babs.
+  assert (X : forall f : double, is_finite f = true ->
+    generic_format radix2 fexp64 (Rabs (B2R (d a)) * B2R f) ->
+    Rabs (Rabs (B2R (d a)) * B2R f) < bpow radix2 1024 ->
+    is_finite (Bmult m (Babs (d a)) f) = true /\
+    B2R (Bmult m (Babs (d a)) f) = Rabs (B2R (d a)) * B2R f).
+  { intros f Ff G B. pose proof (Bmult_correct 53 1024 _ _ m (Babs (d a)) f) as C. rewrite Es in C.
+    rewrite round_generic in C by (exact G || auto with typeclass_instances).
+    rewrite Rlt_bool_true in C by exact B. destruct C as (E & F & _). rewrite Fs, Ff in F. auto. }
+  assert (Gd : generic_format radix2 (FLT_exp (-1074) 53) (Rabs (B2R (d a)))).
+  { rewrite <- Es. apply (generic_format_B2R 53 1024). }
+  pose proof (abs_B2R_lt_emax 53 1024 (d a)) as Bd.
+  unfold speed_of. cbv zeta.
+  destruct (factor_cases Fl) as [(-> & R & S)|[(-> & R)|(-> & R)]].
+  - replace (le (one 53 1024) two_to_600) with true by (vm_compute; reflexivity). cbn [orb].
+    right. apply X; [reflexivity| |].
+    + rewrite R. apply (mult_bpow_pos_exact_FLT radix2 (-1074) 53); [exact Gd|lia].
+    + rewrite R, Rabs_mult, Rabs_Rabsolu, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0.
+      apply Rle_lt_trans with (bpow radix2 (-400) * bpow radix2 600).
+      * apply Rmult_le_compat_r; [apply bpow_ge_0|lra].
+      * rewrite <- bpow_plus. apply bpow_lt. lia.
+  - replace (le (one 53 1024) two_to_minus_600) with false by (vm_compute; reflexivity). cbn [orb].
+    rewrite le_finite by (exact Fs || reflexivity). rewrite Es.
+    rewrite (power_of_two (-422) eq_refl : B2R two_to_minus_422 = _).
+    case Rle_bool_spec; intros H; [right|left; reflexivity].
+    apply X; [reflexivity| |].
+    + rewrite R. apply (mult_bpow_exact_FLT radix2 (-1074) 53); [exact Gd|].
+      assert (-421 <= Raux.mag radix2 (Rabs (B2R (d a))))%Z; [|lia].
+      apply mag_ge_bpow. rewrite Rabs_Rabsolu. exact H.
+    + rewrite R, Rabs_mult, Rabs_Rabsolu, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0.
+      apply Rle_lt_trans with (Rabs (B2R (d a)) * 1); [|lra].
+      apply Rmult_le_compat_l; [apply Rabs_pos|]. apply (bpow_le radix2 (-600) 0). lia.
+  - replace (le (one 53 1024) (one 53 1024)) with true by (vm_compute; reflexivity). cbn [orb].
+    right. apply X; [reflexivity| |]; rewrite R, Rmult_1_r; [exact Gd|].
+    rewrite Rabs_Rabsolu. exact Bd.
+Qed.
+
+(** * The test with its filter *)
+Variable sort : list term -> list term.
+Hypothesis sort_permutes : forall l, Permutation.Permutation l (sort l).
+Hypothesis sort_sorts : forall l, descending (sort l).
+
+Definition certain_axis (a : axis_of_box) : bool :=
+  le (rounded_distance m (near_plane a) (origin a)) certain_distance &&
+  le (rounded_distance m (far_plane a) (origin a)) certain_distance.
+
+(** The exact decision for a pair that matters, and the same after the filter. *)
+Definition exact_decision (a b : axis_of_box) : bool :=
+  let sign := determinant_sign sort (near_plane a) (origin a) (d b) (far_plane b) (origin b) (d a) in
+  (0 <? sign)%Z || ((sign =? 0)%Z && negb (near_is_closed a && far_is_closed b)).
+Definition filtered_decision (certain : bool) (a b : axis_of_box) : bool :=
+  let entry := rounded_product m (near_plane a) (origin a) (speed_of b) in
+  let exit := rounded_product m (far_plane b) (origin b) (speed_of a) in
+  if certain && certainly_greater m entry exit then true
+  else if certain && certainly_greater m exit entry then false
+  else exact_decision a b.
+Definition filtered_fails (certain : bool) (a b : axis_of_box) : bool :=
+  negb (after_near a) && negb (still b) && filtered_decision certain a b.
+
+Definition filtered_meets (x : index -> axis_of_box) : bool :=
+  let certain := certain_axis (x i0) && certain_axis (x i1) && certain_axis (x i2) in
+  negb (is_outside (x i0) || is_outside (x i1) || is_outside (x i2)) &&
+  negb (filtered_fails certain (x i0) (x i1) || filtered_fails certain (x i0) (x i2) ||
+        filtered_fails certain (x i1) (x i0) || filtered_fails certain (x i1) (x i2) ||
+        filtered_fails certain (x i2) (x i0) || filtered_fails certain (x i2) (x i1)).
+
+Lemma nan_greater p y : certainly_greater m (Bmult m p B754_nan) y = false.
+Proof.
+  unfold certainly_greater. replace (Bmult m p B754_nan) with (@B754_nan 53 1024) by (destruct p; reflexivity).
+  destruct (Bplus m (Bmult m y margin) tiny) as [|[]| |[]]; reflexivity.
+Qed.
+Lemma greater_nan x p : certainly_greater m x (Bmult m p B754_nan) = false.
+Proof.
+  unfold certainly_greater. replace (Bmult m p B754_nan) with (@B754_nan 53 1024) by (destruct p; reflexivity).
+  reflexivity.
+Qed.
+
+(** The filter never changes a decision. *)
+Lemma filtered_fails_same certain a b :
+  finite_axis a -> finite_axis b -> is_outside b = false ->
+  is_finite largest = true -> Rabs (B2R (d a)) <= B2R largest -> Rabs (B2R (d b)) <= B2R largest ->
+  (certain = true -> certain_axis a = true /\ certain_axis b = true) ->
+  filtered_fails certain a b = fails sort a b.
+Proof.
+  intros Fa Fb Ob Fl La Lb C. unfold filtered_fails, fails. cbv zeta.
+  destruct (after_near a) eqn:A; [reflexivity|]. destruct (still b); [reflexivity|]. cbn [negb andb].
+  change (filtered_decision certain a b = exact_decision a b).
+  unfold filtered_decision. cbv zeta. destruct certain; [|reflexivity]. cbn [andb].
+  destruct (C eq_refl) as [Ca Cb]. apply andb_true_iff in Ca. apply andb_true_iff in Cb.
+  destruct Ca as [Ca _], Cb as [_ Cb].
+  destruct (finite_parts a Fa) as (A1 & A2 & A3), (finite_parts b Fb) as (B1 & B2 & B3).
+  pose proof Fa as (_ & Da & _). pose proof Fb as (_ & Db & _).
+  assert (G1 : B2R (origin a) <= B2R (near_plane a)).
+  { unfold after_near in A. rewrite lt_finite in A by assumption. apply orb_false_iff in A.
+    destruct A as [A _]. revert A. case Rlt_bool_spec; [discriminate|auto]. }
+  assert (G2 : B2R (origin b) <= B2R (far_plane b)).
+  { unfold is_outside in Ob. apply orb_false_iff in Ob. destruct Ob as [Ob _].
+    apply negb_false_iff in Ob. unfold before_far in Ob. apply orb_true_iff in Ob.
+    rewrite lt_finite, eq_finite in Ob by assumption. revert Ob.
+    case Rlt_bool_spec; [lra|]. case Req_bool_spec; [lra|].
+    intros _ _ [H|H]; [discriminate|]. discriminate H. }
+  destruct (speed_exact a Fl Da La) as [Na|[Fsa Ea]].
+  { unfold rounded_product. rewrite Na, nan_greater, greater_nan. reflexivity. }
+  destruct (speed_exact b Fl Db Lb) as [Nb|[Fsb Eb]].
+  { unfold rounded_product. rewrite Nb, nan_greater, greater_nan. reflexivity. }
+  assert (Fp : 0 < B2R factor).
+  { destruct (factor_cases Fl) as [(_ & -> & _)|[(_ & ->)|(_ & ->)]]; try apply bpow_gt_0; lra. }
+  assert (Pa : 0 <= B2R (speed_of a)) by (rewrite Ea; apply Rmult_le_pos; [apply Rabs_pos|lra]).
+  assert (Pb : 0 <= B2R (speed_of b)) by (rewrite Eb; apply Rmult_le_pos; [apply Rabs_pos|lra]).
+  destruct (determinant_sign_correct sort sort_permutes sort_sorts
+    (near_plane a) (origin a) (d b) (far_plane b) (origin b) (d a)
+    A2 A1 Db B3 B1 Da G1 G2) as [P N]. cbv zeta in P, N. unfold real_determinant in P, N.
+  unfold exact_decision. cbv zeta.
+  set (s := determinant_sign sort (near_plane a) (origin a) (d b) (far_plane b) (origin b) (d a)) in *.
+  destruct (certainly_greater m (rounded_product m (near_plane a) (origin a) (speed_of b)) _) eqn:G.
+  - apply certainly_greater_sound in G; try assumption. rewrite Ea, Eb in G.
+    assert (S : (0 < s)%Z).
+    { apply P. rewrite <- !Rmult_assoc in G. apply Rmult_lt_reg_r in G; [lra|exact Fp]. }
+    apply Z.ltb_lt in S. rewrite S. reflexivity.
+  - clear G.
+    destruct (certainly_greater m (rounded_product m (far_plane b) (origin b) (speed_of a)) _) eqn:G;
+      [|reflexivity].
+    apply certainly_greater_sound in G; try assumption. rewrite Ea, Eb in G.
+    rewrite <- !Rmult_assoc in G. apply Rmult_lt_reg_r in G; [|exact Fp].
+    destruct (Z.ltb_spec 0 s) as [S|S]; [apply P in S; lra|].
+    destruct (Z.eqb_spec s 0) as [Z|Z]; [apply N in Z; lra|]. reflexivity.
+Qed.
+
+(** The shipped test, filter and all, is true if and only if the ray has a point in the box; in every
+    rounding mode. *)
+Theorem filtered_meets_exact (x : index -> axis_of_box) :
+  (forall i, finite_axis (x i)) -> is_finite largest = true ->
+  (forall i, Rabs (B2R (d (x i))) <= B2R largest) ->
+  filtered_meets x = true <->
+  exists t, 0 <= t /\ forall i,
+    B2R (lo (x i)) <= B2R (o (x i)) + t * B2R (d (x i)) /\
+    (if hi_closed (x i) then B2R (o (x i)) + t * B2R (d (x i)) <= B2R (hi (x i))
+     else B2R (o (x i)) + t * B2R (d (x i)) < B2R (hi (x i))).
+Proof.
+  intros F Fl L. rewrite <- (meets_exact sort sort_permutes sort_sorts x F).
+  replace (filtered_meets x) with (meets sort x); [tauto|].
+  unfold filtered_meets, meets. cbv zeta.
+  destruct (is_outside (x i0)) eqn:O0; [reflexivity|].
+  destruct (is_outside (x i1)) eqn:O1; [reflexivity|].
+  destruct (is_outside (x i2)) eqn:O2; [reflexivity|]. cbn [orb negb andb].
+  set (certain := certain_axis (x i0) && certain_axis (x i1) && certain_axis (x i2)).
+  assert (C : certain = true -> forall i, certain_axis (x i) = true).
+  { unfold certain. intros H. apply andb_true_iff in H. destruct H as [H H2].
+    apply andb_true_iff in H. destruct H as [H0 H1]. intros []; assumption. }
+  rewrite !filtered_fails_same; auto.
+Qed.
+End Touch.
