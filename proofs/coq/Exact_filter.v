@@ -461,3 +461,92 @@ Proof.
   rewrite !filtered_fails_same; auto.
 Qed.
 End Touch.
+
+(** * Nothing assumed: with a sort, and the largest component as the code takes it *)
+Fixpoint insert (t : term) (l : list term) : list term :=
+  match l with
+  | nil => (t :: nil)%list
+  | u :: r => if (term_exponent u <=? term_exponent t)%Z then (t :: l)%list else (u :: insert t r)%list
+  end%list.
+Fixpoint insertion_sort (l : list term) : list term :=
+  match l with nil => nil | (t :: r)%list => insert t (insertion_sort r) end.
+Lemma insert_permutes t l : Permutation.Permutation (t :: l) (insert t l).
+Proof.
+  induction l as [|u r IH]; cbn [insert]; [apply Permutation.Permutation_refl|].
+  destruct (_ <=? _)%Z; [apply Permutation.Permutation_refl|].
+  apply Permutation.perm_trans with (u :: t :: r)%list; [apply Permutation.perm_swap|].
+  apply Permutation.perm_skip, IH.
+Qed.
+Lemma insertion_sort_permutes l : Permutation.Permutation l (insertion_sort l).
+Proof.
+  induction l as [|t r IH]; cbn [insertion_sort]; [apply Permutation.perm_nil|].
+  apply Permutation.perm_trans with (t :: insertion_sort r)%list; [apply Permutation.perm_skip, IH|].
+  apply insert_permutes.
+Qed.
+Lemma insert_from v t l : descending_from v l -> (term_exponent t <= term_exponent v)%Z ->
+  descending_from v (insert t l).
+Proof.
+  revert v. induction l as [|u r IH]; intros v D T; cbn [insert]; [split; [exact T|exact I]|].
+  destruct D as [D1 D2]. destruct (Z.leb_spec (term_exponent u) (term_exponent t)).
+  - split; [exact T|]. split; assumption.
+  - split; [exact D1|]. apply IH; [exact D2|lia].
+Qed.
+Lemma insertion_sort_sorts l : descending (insertion_sort l).
+Proof.
+  induction l as [|t r IH]; [exact I|]. cbn [insertion_sort].
+  destruct (insertion_sort r) as [|u s]; [exact I|]. cbn [insert].
+  destruct (Z.leb_spec (term_exponent u) (term_exponent t)) as [L|L].
+  - split; assumption.
+  - apply insert_from; [exact IH|lia].
+Qed.
+
+(** std::max({|dx|, |dy|, |dz|}) *)
+Definition larger (a b : double) : double := if lt a b then b else a.
+Definition largest_speed (x : index -> axis_of_box) : double :=
+  larger (larger (Babs (d (x i0))) (Babs (d (x i1)))) (Babs (d (x i2))).
+Lemma larger_correct a b : is_finite a = true -> is_finite b = true ->
+  is_finite (larger a b) = true /\ B2R a <= B2R (larger a b) /\ B2R b <= B2R (larger a b).
+Proof.
+  intros Fa Fb. unfold larger. rewrite lt_finite by assumption.
+  case Rlt_bool_spec; intros; repeat split; auto; lra.
+Qed.
+
+(** exact_touch::meets, in any rounding mode m. *)
+Definition exact_touch (m : mode) (x : index -> axis_of_box) : bool :=
+  filtered_meets m (largest_speed x) insertion_sort x.
+
+(** The exact test: true if and only if the ray has a point in the box, for every finite ray. *)
+Theorem exact_touch_is_exact (m : mode) (x : index -> axis_of_box) :
+  (forall i, finite_axis (x i)) ->
+  exact_touch m x = true <->
+  exists t, 0 <= t /\ forall i,
+    B2R (lo (x i)) <= B2R (o (x i)) + t * B2R (d (x i)) /\
+    (if hi_closed (x i) then B2R (o (x i)) + t * B2R (d (x i)) <= B2R (hi (x i))
+     else B2R (o (x i)) + t * B2R (d (x i)) < B2R (hi (x i))).
+Proof.
+  intros F. unfold exact_touch.
+  assert (A : forall i, is_finite (Babs (d (x i))) = true).
+  { intros i. rewrite is_finite_Babs. apply (F i). }
+  destruct (larger_correct _ _ (A i0) (A i1)) as (F1 & L0 & L1).
+  destruct (larger_correct _ _ F1 (A i2)) as (F2 & L01 & L2).
+  apply filtered_meets_exact.
+  - exact insertion_sort_permutes.
+  - exact insertion_sort_sorts.
+  - exact F.
+  - exact F2.
+  - intros i. rewrite <- B2R_Babs. unfold largest_speed. destruct i; lra.
+Qed.
+
+(** The model runs. From (2, 2, 2) along (-2^600, -2^600, -2^600) the ray meets the closed cube
+    [0, 1]^3. From (2, 0, 0) along (-1, 1, 2^-1074) it passes through the edge x = y = 1 at t = 1: it
+    meets the closed cube, and has no point in the half-open one. *)
+Example through_an_edge :
+  let number k := binary_normalize 53 1024 eq_refl eq_refl mode_NE 1 k false in
+  let axis closed (i : index) := {| o := number 1%Z; d := Bopp (number 600%Z);
+    lo := zero; hi := number 0%Z; hi_closed := closed |} in
+  exact_touch mode_UP (axis true) = true /\
+  let graze closed i := {| o := match i with i0 => number 1%Z | _ => zero end;
+    d := match i with i0 => Bopp (number 0%Z) | i1 => number 0%Z | i2 => number (-1074)%Z end;
+    lo := zero; hi := number 0%Z; hi_closed := closed |} in
+  exact_touch mode_UP (graze true) = true /\ exact_touch mode_UP (graze false) = false.
+Proof. vm_compute. repeat split. Qed.
