@@ -4,8 +4,7 @@
     Numbers here are what `double_parts` takes a double apart into: a sign, a significand below 2^53
     and an exponent ([parts_of] does it to Flocq's numbers). Machine integers are integers modulo 2^64,
     2^128 or 2^512, with the reductions written out where the C++ types make them; that nothing is
-    lost to them is what is proved. Negation as complement and carry (`(x ^ flip) - flip`, and limb
-    by limb in sign_of_close_sum) is taken as negation and addition modulo the width. *)
+    lost to them is what is proved. *)
 From Coq Require Import ZArith Bool List Lia Reals.
 From Flocq Require Import Core BinarySingleNaN.
 Import ListNotations.
@@ -32,8 +31,8 @@ Definition wide_lower (g l : parts) : Z * Z * Z :=
 Record wide := { high : Z; low : Z; wide_exponent : Z; fits : bool }.
 
 Definition signed_part (p : parts) (shift : Z) : Z :=
-  let shifted := (significand p * 2 ^ (shift mod 64)) mod w128 in
-  (if negative p then - shifted else shifted) mod w128.
+  let flip := (0 - (if negative p then 1 else 0)) mod w128 in
+  (Z.lxor ((significand p * 2 ^ (shift mod 64)) mod w128) flip - flip) mod w128.
 
 Definition wide_product (g l factor : parts) : wide :=
   let '(of_g, of_l, lower) := wide_lower g l in
@@ -68,12 +67,41 @@ Qed.
 Lemma pow2_pos n : 0 <= n -> 0 < 2 ^ n.
 Proof. intros H. apply Z.pow_pos_nonneg; lia. Qed.
 
+(** Flipping the lowest n bits takes a number from 2^n - 1. *)
+Lemma flipped a n : 0 <= n -> 0 <= a < 2 ^ n -> Z.lxor a (2 ^ n - 1) = 2 ^ n - 1 - a.
+Proof.
+  intros N A. change (2 ^ n - 1) with (Z.pred (2 ^ n)). rewrite <- Z.ones_equiv.
+  assert (H : Z.ldiff (Z.ones n) a = Z.ones n - a).
+  { symmetry. apply Z.sub_nocarry_ldiff. apply Z.bits_inj'. intros k K.
+    rewrite Z.ldiff_spec, Z.bits_0. destruct (Z.lt_ge_cases k n).
+    - rewrite Z.ones_spec_low by lia. apply andb_false_r.
+    - rewrite <- (Z.mod_small a (2 ^ n)) by exact A. rewrite Z.mod_pow2_bits_high by lia. reflexivity. }
+  rewrite <- H. apply Z.bits_inj'. intros k K. rewrite Z.lxor_spec, Z.ldiff_spec.
+  destruct (Z.lt_ge_cases k n).
+  - rewrite Z.ones_spec_low by lia. apply xorb_true_r.
+  - rewrite Z.ones_spec_high by lia. rewrite <- (Z.mod_small a (2 ^ n)) by exact A.
+    rewrite Z.mod_pow2_bits_high by lia. reflexivity.
+Qed.
+
+(** (x ^ flip) - flip is x or -x, modulo 2^128. *)
+Lemma flip_minus_flip x (minus : bool) : 0 <= x < w128 ->
+  let flip := (0 - (if minus then 1 else 0)) mod w128 in
+  (Z.lxor x flip - flip) mod w128 = (if minus then - x else x) mod w128.
+Proof.
+  intros X. destruct minus; cbv zeta.
+  - change ((0 - 1) mod w128) with (2 ^ 128 - 1). rewrite flipped by (exact X || lia). f_equal. lia.
+  - change ((0 - 0) mod w128) with 0. rewrite Z.lxor_0_r, Z.sub_0_r. reflexivity.
+Qed.
+
 (** The part of an operand: exact modulo 2^128. *)
 Lemma signed_part_mod p shift : proper p -> 0 <= shift < 64 ->
   signed_part p shift mod w128 = (signed p * 2 ^ shift) mod w128.
 Proof.
   intros P S. unfold signed_part, signed. cbv zeta.
-  rewrite (Z.mod_small shift 64) by lia. rewrite Z.mod_mod by (unfold w128; lia).
+  rewrite (Z.mod_small shift 64) by lia.
+  assert (B : 0 <= (significand p * 2 ^ shift) mod w128 < w128) by (apply Z.mod_pos_bound; reflexivity).
+  pose proof (flip_minus_flip _ (negative p) B) as E. cbv zeta in E. rewrite E. clear E.
+  rewrite Z.mod_mod by (unfold w128; lia).
   destruct (negative p).
   - rewrite Z.mul_opp_l. rewrite <- (Z.sub_0_l (_ mod _)), <- (Z.sub_0_l (_ * _)).
     apply Zminus_mod_idemp_r.
@@ -269,7 +297,7 @@ Proof.
   intros PA PB PC PD PE PF B1 B2 B3 B4 B5 B6 D1 D2.
   pose proof (wide_product_exact xg xl xf base PA PB PC) as WA.
   pose proof (wide_product_exact yg yl yf base PD PE PF) as WB. cbv zeta in WA, WB.
-  set (a := wide_product xg xl xf) in *. set (b := wide_product yg yl yf) in *.
+  set (a := wide_product xg xl xf) in *. set (b := wide_product yg yl yf) in *. clearbody a b.
   unfold fast_sign. cbv zeta. set (above := wide_exponent a - wide_exponent b).
   destruct (fits a) eqn:Fa; [|discriminate]. destruct (fits b) eqn:Fb; [|discriminate].
   cbn [negb orb]. destruct (Z.leb_spec 86 above); [discriminate|].
@@ -293,5 +321,6 @@ Proof.
   2: { rewrite <- !Z.mul_assoc, <- !Z.pow_add_r by (unfold m, above; lia). f_equal. f_equal.
        unfold m, above. lia. }
   rewrite <- Z.mul_sub_distr_r, Z.sgn_mul.
-  rewrite (Z.sgn_pos (2 ^ (m - base - fbase))) by (apply pow2_pos; unfold m; lia). ring.
+  rewrite (Z.sgn_pos (2 ^ (m - base - fbase))) by (apply pow2_pos; unfold m; lia).
+  rewrite Z.mul_1_r. reflexivity.
 Qed.

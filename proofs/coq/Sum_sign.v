@@ -1,7 +1,11 @@
 (** The exact predicate's path for operands of any exponents (sign_of_sum, sign_of_close_sum and
     determinant_sign_of_any of octree/include/graze/octree/determinant_sign.hpp): a sum of at most
     four products, taken in groups from the highest exponents down, each group in 512 bits of two's
-    complement, has the sign that is returned, whatever the gaps of the exponents. *)
+    complement, has the sign that is returned, whatever the gaps of the exponents.
+
+    OPEN: the eight 64-bit limbs of sign_of_close_sum (placing, complement, carries) are taken as
+    addition modulo 2^512; that the chain of limbs computes it is not proved, nothing but the writing
+    stands in its way. *)
 From Coq Require Import ZArith Bool List Lia Permutation.
 From Graze Require Import Determinant_sign.
 Import ListNotations.
