@@ -98,6 +98,7 @@ void counts::add(const verdict& v) {
   crossed_missed += size_of(v.crossed_missed);
   touched_missed += size_of(v.touched_missed);
   gaps += v.gaps;
+  visited += size_of(v.visited);
   spurious += size_of(v.spurious);
   if ((v.findings & bit(finding::far_spurious)) != 0)
     ++far_spurious;
@@ -116,6 +117,7 @@ counts& counts::operator+=(const counts& other) {
   crossed_missed += other.crossed_missed;
   touched_missed += other.touched_missed;
   gaps += other.gaps;
+  visited += other.visited;
   spurious += other.spurious;
   far_spurious += other.far_spurious;
   order_errors += other.order_errors;
@@ -133,7 +135,10 @@ std::optional<finding> campaign_result::worst_finding() const {
 }
 
 trial trial_of(const campaign_plan& plan, std::uint64_t index) {
-  return make_trial(*plan.generators[index % plan.generators.size()], plan.seed, index, plan.level);
+  const std::uint64_t kinds = plan.generators.size();
+  const auto levels = static_cast<std::uint64_t>(std::max(1, plan.last_level - plan.level + 1));
+  const int level = plan.level + static_cast<int>(index / kinds % levels);
+  return make_trial(*plan.generators[index % kinds], plan.seed, index, level);
 }
 
 campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,

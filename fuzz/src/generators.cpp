@@ -276,13 +276,13 @@ void huge(random_stream& random, trial& t) {
 
 void far_origin(random_stream& random, trial& t) {
   const site s = pick_site(random, t);
-  const int most = 1000 - std::max(0, std::ilogb(t.root.size));
+  const int most = 1022 - std::max(0, std::ilogb(t.root.size));
   const int exponent = random.one_in(8) ? random.between(60, most) : random.between(1, 60);
   if (random.one_in(3)) {
     const int bits = random.between(0, 3);
     const vec3 d = integer_direction(random, bits);
     for (unsigned a = 0; a < 3; ++a) {
-      const double away = d[a] * std::ldexp(t.root.size, exponent);
+      const double away = d[a] * std::ldexp(t.root.size, std::min(exponent, most - 3));
       t.origin[a] = exact_origin(s.vertex[a], away);
       if (t.origin[a] == s.vertex[a])
         t.origin[a] = s.vertex[a] - away; // then rounded
@@ -290,6 +290,46 @@ void far_origin(random_stream& random, trial& t) {
     }
   } else {
     aim(random, t, s.vertex, exponent);
+  }
+  finish(random, t, s);
+}
+
+/// Exponents of the direction up to 2,000 apart. Where the vertex's coordinate is 0 the origin is
+/// at times -d 2^k, so that the ray goes through the vertex, or an ulp beside, whatever the
+/// exponents.
+void exponent_gap(random_stream& random, trial& t) {
+  site s = pick_site(random, t);
+  const unsigned at_zero = random.below(8);
+  for (unsigned a = 0; a < 3; ++a)
+    if ((at_zero >> a & 1) != 0 && t.root.lo[a] == 0)
+      s.index[a] = 0;
+  s = site_at(t, s.index);
+  const int spread = random.coin() ? 1000 : random.between(30, 1000);
+  const int k = random.between(-60, 60);
+  for (unsigned a = 0; a < 3; ++a) {
+    // the ends of the spread more often than what is between them
+    const int exponent =
+        random.coin() ? (random.coin() ? spread : -spread) : random.between(-spread, spread);
+    t.direction[a] = random.one_in(8) ? 0 : random_double(random, exponent, exponent);
+    const double back = s.vertex[a] - std::ldexp(t.direction[a], k);
+    switch (random.below(5)) {
+    case 0:
+      t.origin[a] = s.vertex[a];
+      break;
+    case 1:
+      t.origin[a] = random.sign() * 0x1p-1074 * static_cast<double>(random.below(4));
+      break;
+    case 2:
+      t.origin[a] = beside(random, t, static_cast<int>(a), s.vertex[a]);
+      break;
+    default:
+      t.origin[a] = std::isfinite(back) ? back : s.vertex[a];
+      break;
+    }
+    if (random.one_in(6))
+      t.origin[a] = step_ulps(t.origin[a], random.between(-1, 1));
+    if (random.one_in(8))
+      t.direction[a] = step_ulps(t.direction[a], random.between(-1, 1));
   }
   finish(random, t, s);
 }
@@ -352,7 +392,8 @@ const std::vector<generator>& generators() {
       {"root-graze", "grazing the root's faces, edges and corners", root_graze},
       {"subnormal", "directions so small that products underflow", subnormal},
       {"huge", "directions so large that products overflow", huge},
-      {"far-origin", "from 2 to 2^1000 root sizes away", far_origin},
+      {"far-origin", "from 2 root sizes away to 1e308", far_origin},
+      {"exponent-gap", "components whose exponents lie up to 2000 apart", exponent_gap},
       {"mid-plane", "in the mid-planes of coarse octants", mid_plane},
       {"random", "nothing special: the control", random_ray},
   };

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -37,7 +38,7 @@ Exit code: 0 nothing found, 1 a finding, 2 bad input.)";
 struct run_options {
   std::string traversal = "sound";
   std::vector<std::string> generators{"all"};
-  int level = 50;
+  std::string level = "50";
   double seconds = 0;
   std::uint64_t rays = 0;
   std::uint64_t seed = 1;
@@ -82,6 +83,25 @@ bool save_line(const std::string& path, const std::string& line) {
   return !error;
 }
 
+/// "A" or "A-B", 1 <= A <= B <= 53.
+bool read_levels(std::string_view text, campaign_plan& plan) {
+  const auto number = [&text](int& n) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return error == std::errc();
+  };
+  if (!number(plan.level))
+    return false;
+  plan.last_level = plan.level;
+  if (text.starts_with('-')) {
+    text.remove_prefix(1);
+    if (!number(plan.last_level))
+      return false;
+  }
+  return text.empty() && 1 <= plan.level && plan.level <= plan.last_level &&
+         plan.last_level <= graze::octree::max_level;
+}
+
 int run(const run_options& options) {
   campaign_plan plan;
   plan.under_test = find_traversal(options.traversal);
@@ -99,8 +119,9 @@ int run(const run_options& options) {
       return bad_input(fmt::format("no generator is called \"{}\" (see graze-fuzz list)", name));
     plan.generators.push_back(g);
   }
-  if (options.level < 1 || options.level > graze::octree::max_level)
-    return bad_input(fmt::format("level {} is outside 1..53", options.level));
+  if (!read_levels(options.level, plan))
+    return bad_input(
+        fmt::format("level {} is outside 1..53 (a number, or a range A-B)", options.level));
   if (!std::isfinite(options.seconds) || options.seconds < 0)
     return bad_input("--seconds is not a finite number of seconds, 0 or more");
   if (options.threads < 1 || options.threads > 1024)
@@ -112,7 +133,6 @@ int run(const run_options& options) {
         std::filesystem::is_directory(path, error))
       return bad_input(fmt::format("cannot write {}", options.save));
   }
-  plan.level = options.level;
   plan.seed = options.seed;
   plan.threads = options.threads;
   plan.rays = options.rays;
@@ -134,7 +154,7 @@ int run(const run_options& options) {
     fmt::print("{}\n", to_json(plan, result, found));
   } else {
     fmt::print("{} at level {}, seed {}: {} rays in {:.2f} s, {:.0f} rays/s{}\n{}",
-               plan.under_test->name, plan.level, plan.seed, result.total.rays, result.seconds,
+               plan.under_test->name, options.level, plan.seed, result.total.rays, result.seconds,
                static_cast<double>(result.total.rays) / result.seconds,
                result.interrupted ? " (interrupted)" : "", table(plan, result));
     if (result.first_miss_seconds)
@@ -208,7 +228,7 @@ int main(int argc, char** argv) {
   CLI::App* run_command = app.add_subcommand("run", "Search for missed octants");
   run_command->add_option("--traversal", run_with.traversal, "What is under test")
       ->capture_default_str();
-  run_command->add_option("--level", run_with.level, "Level of the octants, 1 to 53")
+  run_command->add_option("--level", run_with.level, "Level of the octants, 1 to 53, or a range taken in turn: 1-50")
       ->capture_default_str();
   run_command->add_option("--generator", run_with.generators, "Names of generators, or all")
       ->delimiter(',')

@@ -78,6 +78,11 @@ private:
   method_traversal<sound> base_{"sound", promise::owned};
 };
 
+/// The sound answer, passed off as an exact one.
+std::unique_ptr<traversal> make_inexact() {
+  return std::make_unique<method_traversal<sound>>("mutant-inexact", promise::exactly_owned);
+}
+
 template <class Edit, const char* Name> std::unique_ptr<traversal> make_edited() {
   return std::make_unique<method_traversal<edited<Edit>>>(Name, promise::owned);
 }
@@ -94,6 +99,7 @@ const std::vector<traversal_entry>& mutants() {
       {"mutant-everything", "every octant of the block",
        [] { return std::unique_ptr<traversal>(new report_everything); }},
       {exact, "sound, but skips where planes are hit exactly", make_edited<skip_exact_hit, exact>},
+      {"mutant-inexact", "sound, but promises to be exact", make_inexact},
       {"mutant-twice", "sound, but its last octant twice",
        [] { return std::unique_ptr<traversal>(new report_twice); }},
   };

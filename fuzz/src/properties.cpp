@@ -11,6 +11,10 @@ std::string_view name_of(promise p) {
     return "touched";
   case promise::owned:
     return "owned";
+  case promise::exactly_touched:
+    return "exactly-touched";
+  case promise::exactly_owned:
+    return "exactly-owned";
   default:
     return "crossed";
   }
@@ -18,7 +22,7 @@ std::string_view name_of(promise p) {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crossed-miss", "gap", "miss", "order", "revisit", "far-spurious", "outside"};
+      "crossed-miss", "gap", "miss", "order", "revisit", "far-spurious", "spurious", "outside"};
   return names[static_cast<unsigned>(f)];
 }
 
@@ -128,9 +132,10 @@ verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
   v.missed = misses(is, said, p);
   v.crossed_missed = crossed_missed(is, said);
   v.touched_missed = touched_missed(is, said);
-  v.spurious = spurious(is, said);
+  v.visited = said.set();
+  v.spurious = spurious(is, said, p);
   v.gaps = gaps(is, said);
-  v.order_error = p == promise::owned && out_of_order(is, said);
+  v.order_error = promises_owned(p) && out_of_order(is, said);
   if (v.crossed_missed != 0)
     v.findings |= bit(finding::crossed_miss);
   if (v.gaps != 0)
@@ -145,6 +150,8 @@ verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
     v.findings |= bit(finding::outside);
   if (v.spurious != 0 && far_spurious(t, is, said) != 0)
     v.findings |= bit(finding::far_spurious);
+  if (v.spurious != 0 && is_exact(p))
+    v.findings |= bit(finding::spurious);
   return v;
 }
 

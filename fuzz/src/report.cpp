@@ -12,9 +12,9 @@ namespace {
 using json = nlohmann::ordered_json;
 
 std::string row(std::string_view name, const counts& c) {
-  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>8}{:>8}{:>9}\n", name, c.rays,
-                     c.touched, c.misses, c.crossed_missed, c.gaps, c.spurious, c.far_spurious,
-                     c.order_errors, c.revisits);
+  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>10.4f}{:>8}{:>8}{:>9}\n", name,
+                     c.rays, c.touched, c.misses, c.crossed_missed, c.gaps, c.spurious,
+                     100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits);
 }
 
 void put(json& object, const counts& c) {
@@ -24,7 +24,9 @@ void put(json& object, const counts& c) {
   object["crossed_missed"] = c.crossed_missed;
   object["touched_missed"] = c.touched_missed;
   object["gaps"] = c.gaps;
+  object["visited"] = c.visited;
   object["spurious"] = c.spurious;
+  object["spurious_rate"] = c.spurious_rate();
   object["far_spurious"] = c.far_spurious;
   object["order_errors"] = c.order_errors;
   object["revisits"] = c.revisits;
@@ -57,9 +59,9 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
 }
 
 std::string table(const campaign_plan& plan, const campaign_result& result) {
-  std::string text =
-      fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>8}{:>8}{:>9}\n", "generator", "rays",
-                  "touched", "misses", "crossed", "gaps", "spurious", "far", "order", "revisit");
+  std::string text = fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
+                                 "generator", "rays", "touched", "misses", "crossed", "gaps",
+                                 "spurious", "% visits", "far", "order", "revisit");
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     text += row(plan.generators[g]->name, result.by_generator[g]);
   return text + row("all", result.total);
@@ -85,6 +87,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["traversal"] = plan.under_test->name;
   object["promise"] = name_of(plan.under_test->make()->promises());
   object["level"] = plan.level;
+  object["last_level"] = plan.last_level;
   object["seed"] = plan.seed;
   object["threads"] = plan.threads;
   put(object, result.total);

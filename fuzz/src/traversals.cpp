@@ -1,4 +1,5 @@
 #include <graze/fuzz/method_traversal.hpp>
+#include <graze/octree/exact.hpp>
 #include <graze/octree/gargantini.hpp>
 #include <graze/octree/plain.hpp>
 #include <graze/octree/published.hpp>
@@ -18,6 +19,12 @@ template <class Backend, convention C, const char* Name> std::unique_ptr<travers
   return std::make_unique<method_traversal<octree::sound<Backend, C>>>(
       Name, C == convention::owned ? promise::owned : promise::touched);
 }
+template <class Backend, convention C, const char* Name> std::unique_ptr<traversal> exact() {
+  return std::make_unique<method_traversal<octree::exact<Backend, C>>>(
+      Name, C == convention::owned ? promise::exactly_owned : promise::exactly_touched);
+}
+constexpr char exactly[] = "exact", exactly_closed[] = "exact-closed",
+               exactly_nearest[] = "exact-nearest";
 constexpr char upward[] = "sound", closed[] = "sound-closed", nearest[] = "sound-nearest",
                split[] = "sound-split", switching[] = "sound-switching";
 
@@ -47,6 +54,12 @@ const std::vector<traversal_entry>& traversals() {
        sound<rounding::split, convention::owned, split>},
       {switching, "as sound, with the mode set around every operation",
        sound<rounding::switching, convention::owned, switching>},
+      {exactly, "no octant too few or too many: those that own a point of the ray, front to back",
+       exact<rounding::upward, convention::owned, exactly>},
+      {exactly_closed, "no octant too few or too many: those that the ray touches",
+       exact<rounding::upward, convention::closed, exactly_closed>},
+      {exactly_nearest, "as exact, on the backend that needs no rounding mode",
+       exact<rounding::nearest, convention::owned, exactly_nearest>},
       {"published", "the paper's ray voxelization to the letter", published},
       {"plain", "the sound formulas in round to nearest", plain},
       {"gargantini", "mid-plane intersections sorted in t (Gargantini and Atkinson 1993)",

@@ -30,11 +30,7 @@ public:
       const int left = tile % tiles_a_row_ * tile_side;
       const int top = tile / tiles_a_row_ * tile_side;
       const std::uint64_t before = counts.rays;
-      for (int row = top; row < std::min(top + tile_side, target_.size); ++row)
-        for (int column = left; column < std::min(left + tile_side, target_.size); ++column)
-          target_.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(target_.size) +
-                         static_cast<std::size_t>(column)] =
-              cast_one(view_.ray_through(column, row, target_.size), counts);
+      cast_tile(left, top, counts);
       rays_done_.fetch_add(counts.rays - before, std::memory_order_relaxed);
     }
     const std::lock_guard lock(mutex_);
@@ -59,8 +55,25 @@ private:
     return stop_ != nullptr && stop_->load(std::memory_order_relaxed);
   }
 
-  pixel cast_one(const octree::ray& r, tally& counts) const {
-    const octree::surface_hit found = work_.first_hit(r, &counts.visited);
+  /// All rays of a tile at once: the traversal takes several in turn.
+  void cast_tile(int left, int top, tally& counts) const {
+    const int right = std::min(left + tile_side, target_.size);
+    const int bottom = std::min(top + tile_side, target_.size);
+    std::vector<octree::ray> rays;
+    rays.reserve(static_cast<std::size_t>(tile_side) * tile_side);
+    for (int row = top; row < bottom; ++row)
+      for (int column = left; column < right; ++column)
+        rays.push_back(view_.ray_through(column, row, target_.size));
+    std::vector<octree::surface_hit> hits(rays.size());
+    work_.first_hits(rays, hits, &counts.visited);
+    std::size_t k = 0;
+    for (int row = top; row < bottom; ++row)
+      for (int column = left; column < right; ++column, ++k)
+        target_.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(target_.size) +
+                       static_cast<std::size_t>(column)] = lit(rays[k], hits[k], counts);
+  }
+
+  pixel lit(const octree::ray& r, const octree::surface_hit& found, tally& counts) const {
     ++counts.rays;
     const vec3& d = r.direction();
     const auto depth_at = [&](double t) {

@@ -1,7 +1,7 @@
 #include <graze/render/scene.hpp>
 
+#include <graze/octree/lane_kernels.hpp>
 #include <graze/octree/surfaces.hpp>
-#include <graze/octree/voxelizer.hpp>
 #include <vector>
 
 namespace graze::render {
@@ -9,12 +9,12 @@ namespace {
 
 template <class Surface> class surface_caster final : public caster {
 public:
-  using traversal = octree::surface_traversal<Surface>;
+  using traversal = octree::lane_traversal<Surface>;
 
   /// The octree is built here, and the traversal refers to it.
   static expected<std::unique_ptr<caster>> make(const octree::box& domain, int octree_level,
                                                 int levels) {
-    auto tree = octree::voxelize(Surface{}, domain, octree_level);
+    auto tree = octree::voxelize_in_lanes(Surface{}, domain, octree_level);
     if (!tree)
       return unexpected{tree.reason()};
     auto kept = std::make_unique<const octree::sparse_octree>(*std::move(tree));
@@ -24,9 +24,9 @@ public:
     return std::unique_ptr<caster>(new surface_caster(std::move(kept), *std::move(work)));
   }
 
-  octree::surface_hit first_hit(const octree::ray& r,
-                                octree::traversal_counts* counts) const override {
-    return work_.first_hit(r, counts);
+  void first_hits(std::span<const octree::ray> rays, std::span<octree::surface_hit> hits,
+                  octree::traversal_counts* counts) const override {
+    work_.first_hits(rays, hits, counts);
   }
   vec3 gradient(const vec3& point) const override { return octree::normal(Surface{}, point); }
   std::uint64_t octree_leaves() const override { return tree_->leaf_count(); }

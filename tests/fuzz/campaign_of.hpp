@@ -14,7 +14,7 @@ inline campaign_plan plan_of(std::string_view traversal, int level, std::uint64_
     if (only.empty() || g.name == only)
       plan.generators.push_back(&g);
   REQUIRE_FALSE(plan.generators.empty());
-  plan.level = level;
+  plan.level = plan.last_level = level;
   plan.rays = rays;
   plan.threads = 2;
   return plan;

@@ -43,6 +43,13 @@ TEST_CASE("fuzz.campaign: sound on every backend misses nothing", "[property]") 
       nothing_found(e.name, 50, 30'000);
 }
 
+TEST_CASE("fuzz.campaign: exact reports no octant too few and none too many", "[property]") {
+  for (const traversal_entry& e : traversals())
+    if (e.name.starts_with("exact"))
+      for (const int level : {1, 10, 30, 50, 53})
+        nothing_found(e.name, level, 50'000);
+}
+
 TEST_CASE("fuzz.campaign: counts and first findings do not depend on the number of threads",
           "[property]") {
   campaign_plan plan = plan_of("published", 40, 20'001);

@@ -137,11 +137,32 @@ TEST_CASE("fuzz.generators: subnormal and huge directions are that", "[property]
   CHECK(share("huge", any([](double d) { return std::fabs(d) > 0x1p1000; })) > 0.05);
 }
 
+TEST_CASE("fuzz.generators: exponent-gap directions span up to 2000 binades, and some rays go "
+          "through a vertex",
+          "[property]") {
+  const auto span = [](const trial& t) {
+    double least = HUGE_VAL, most = 0;
+    for (const double d : t.direction)
+      if (d != 0)
+        least = std::min(least, std::fabs(d)), most = std::max(most, std::fabs(d));
+    return std::ilogb(most) - std::ilogb(least);
+  };
+  CHECK(share("exponent-gap", [&](const trial& t) { return span(t) >= 1990; }) > 0.05);
+  CHECK(share("exponent-gap", [&](const trial& t) { return span(t) >= 500; }) > 0.3);
+  CHECK(share("exponent-gap", [](const trial& t) { return truth_of(t).touched != 0; }) > 0.1);
+  CHECK(share("exponent-gap", [&](const trial& t) { return span(t) >= 500 && through_vertex(t); }) >
+        0.005);
+}
+
 TEST_CASE("fuzz.generators: far origins are far", "[property]") {
   CHECK(share("far-origin", [](const trial& t) {
           return std::any_of(t.origin.begin(), t.origin.end(),
                              [](double o) { return std::fabs(o) > 1; });
         }) > 0.85);
+  CHECK(share("far-origin", [](const trial& t) {
+          return std::any_of(t.origin.begin(), t.origin.end(),
+                             [](double o) { return std::fabs(o) > 0x1p1000; });
+        }) > 0.001);
 }
 
 TEST_CASE("fuzz.generators: the control touches its block and meets no edge", "[property]") {

@@ -63,3 +63,14 @@ TEST_CASE("fuzz.mutants: a repeated octant is seen as a revisit and nothing else
   CHECK(c.revisits > 1000);
   CHECK(c.findings == c.revisits);
 }
+
+TEST_CASE("fuzz.mutants: bounds that pass for exact are seen as spurious octants and nothing else",
+          "[property]") {
+  for (const int level : levels) {
+    const campaign_result result = run(plan_of("mutant-inexact", level, 40'000));
+    CHECK(result.total.spurious > 1000);
+    CHECK(result.total.misses == 0);
+    CHECK(result.total.order_errors == 0);
+    CHECK(result.worst_finding() == finding::spurious);
+  }
+}

@@ -48,7 +48,9 @@ TEST_CASE("graze-fuzz run: --json prints one object with what is promised", "[un
   CHECK(object["rays_per_second"] > 0);
   CHECK(object["first_miss_seconds"] < 1.0);
   CHECK(object["counterexample"].contains("octant"));
-  CHECK(object["generators"].size() == 18);
+  CHECK(object["generators"].size() == 19);
+  for (const auto& of : object["generators"])
+    CHECK(of.contains("spurious_rate"));
   const auto clean =
       nlohmann::json::parse(call("run --rays 2000 --json --generator vertex,random").out);
   CHECK(clean["counterexample"].is_null());
@@ -75,7 +77,9 @@ TEST_CASE("graze-fuzz run: bad input is one line and exit code 2", "[unit]") {
   refused("run --generator nothing", "no generator is called \"nothing\"");
   refused("run --level 0", "level 0 is outside 1..53");
   refused("run --level 54", "level 54 is outside 1..53");
-  refused("run --level x", "--level");
+  refused("run --level x", "level x is outside 1..53");
+  for (const char* range : {"5-4", "0-4", "4-54", "4-", "-4", "1-2-3", "1-x"})
+    refused(std::string("run --level=") + range, "is outside 1..53");
   refused("run --seconds nan", "--seconds");
   refused("run --seconds -1", "--seconds");
   refused("run --rays -5", "--rays");

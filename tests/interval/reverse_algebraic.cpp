@@ -2,7 +2,7 @@
 // MPFR's direct functions (reverse_judge.hpp).
 #include "hard_operands.hpp"
 #include "reverse_judge.hpp"
-#include "test_inputs.hpp"
+#include "../support/test_inputs.hpp"
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <climits>

@@ -2,7 +2,7 @@
 // are the intervals between the inverse functions' values, moved by k periods, in MPFR with as many
 // bits as k and then 250. (The code under test uses no such reduction.)
 #include "hard_operands.hpp"
-#include "test_inputs.hpp"
+#include "../support/test_inputs.hpp"
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>

@@ -35,7 +35,8 @@ TEST_CASE("render.pictures: verdicts and depth enclosures hold the exact first r
       const auto root = first(s, r);
       ++(root ? hits : misses);
       for (const auto* work : {&*coarse, &*fine}) {
-        const octree::surface_hit h = (*work)->first_hit(r, nullptr);
+        octree::surface_hit h{};
+        (*work)->first_hits({&r, 1}, {&h, 1}, nullptr);
         INFO(name << " column " << column << " row " << row);
         REQUIRE(h.outcome == (root ? octree::verdict::hit : octree::verdict::miss));
         if (!root)

@@ -7,6 +7,7 @@
 ///   auto value = formula(interval8<batch::avx2>::load(lo, hi), ...);
 /// A file for each path, chosen by batch::path_in_use() (graze/batch.hpp). Without a path of one's
 /// own, the span functions of graze/batch.hpp choose one.
+#include <graze/batch.hpp> // before `baseline` below, which g++ would see its enumerator shadow
 #include <graze/batch/formulas.hpp>
 #include <utility>
 #if defined(__x86_64__)
@@ -143,6 +144,18 @@ public:
   template <auto Operation, class... Operands>
   static GRAZE_BATCH_INLINE interval8 lanewise(const Operands&... x) {
     return lanewise<Operation>(std::make_index_sequence<count>{}, x...);
+  }
+  /// A predicate of one's own, likewise: the lanes in which Predicate(part...) holds.
+  template <auto Predicate, class... Operands>
+  static GRAZE_BATCH_INLINE mask8 lanes_where(const Operands&... x) {
+    return masked<Predicate>(x...);
+  }
+  /// From registers: lanes i * Path::width onwards are parts[i].
+  static GRAZE_BATCH_INLINE interval8 of(const part (&parts)[lanes / Path::width]) {
+    interval8 r{uninitialized{}};
+    for (std::size_t i = 0; i < count; ++i)
+      r.parts_[i] = parts[i];
+    return r;
   }
 
 private:

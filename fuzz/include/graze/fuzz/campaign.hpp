@@ -15,7 +15,8 @@ namespace graze::fuzz {
 struct campaign_plan {
   const traversal_entry* under_test = nullptr;
   std::vector<const generator*> generators;
-  int level = 50; ///< 1..53
+  int level = 50;      ///< 1..53
+  int last_level = 50; ///< rays take the levels from `level` to this one in turn
   std::uint64_t seed = 1;
   unsigned threads = 1;
   double seconds = 0;     ///< 0: no limit of time
@@ -30,15 +31,21 @@ struct counts {
   std::uint64_t misses = 0;         ///< octants missed by the traversal's own promise
   std::uint64_t crossed_missed = 0; ///< crossed octants missed
   std::uint64_t touched_missed =
-      0;                      ///< touched octants missed: a convention, not a bug, if only touched
-  std::uint64_t gaps = 0;     ///< lengths of rays that no visited octant covers
-  std::uint64_t spurious = 0; ///< visited octants that are not touched
+      0;                  ///< touched octants missed: a convention, not a bug, if only touched
+  std::uint64_t gaps = 0; ///< lengths of rays that no visited octant covers
+  std::uint64_t visited = 0;
+  std::uint64_t spurious =
+      0; ///< visited octants that are not touched (not owned, if exactly owned)
   std::uint64_t far_spurious = 0; ///< rays with a spurious octant that rounding does not explain
   std::uint64_t order_errors = 0; ///< rays whose owning octants were visited out of order
   std::uint64_t revisits = 0;     ///< rays with an octant reported twice, or one not of the block
   std::uint64_t findings = 0;     ///< rays with a finding of any kind
 
   void add(const verdict& v);
+  /// The share of the visits that is spurious.
+  [[nodiscard]] double spurious_rate() const {
+    return visited != 0 ? static_cast<double>(spurious) / static_cast<double>(visited) : 0;
+  }
   counts& operator+=(const counts& other);
   friend bool operator==(const counts&, const counts&) = default;
 };

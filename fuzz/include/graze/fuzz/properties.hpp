@@ -40,14 +40,9 @@ inline voxel_set crossed_missed(const truth& is, const visited& said) {
 
 /// The misses by the traversal's own promise.
 inline voxel_set misses(const truth& is, const visited& said, promise p) {
-  switch (p) {
-  case promise::touched:
-    return touched_missed(is, said);
-  case promise::owned:
-    return owned_missed(is, said);
-  default:
+  if (p == promise::crossed)
     return crossed_missed(is, said);
-  }
+  return promises_owned(p) ? owned_missed(is, said) : touched_missed(is, said);
 }
 
 /// The lengths of the ray that no visited octant covers: a bug under every convention.
@@ -58,8 +53,11 @@ inline unsigned gaps(const truth& is, const visited& said) {
   return count;
 }
 
-/// Visited octants that the ray does not touch. A sound test may report some within its rounding.
-inline voxel_set spurious(const truth& is, const visited& said) { return said.set() & ~is.touched; }
+/// Visited octants that the ray does not touch; where owning octants and no others are promised,
+/// those that do not own. A sound test may report some within its rounding, an exact one may not.
+inline voxel_set spurious(const truth& is, const visited& said, promise p = promise::touched) {
+  return said.set() & ~(p == promise::exactly_owned ? is.owned : is.touched);
+}
 
 /// The owning octants were visited in an order other than t's.
 inline bool out_of_order(const truth& is, const visited& said) {
@@ -83,9 +81,19 @@ inline bool out_of_order(const truth& is, const visited& said) {
 /// there nothing can be told from rounding.
 voxel_set far_spurious(const trial& t, const truth& is, const visited& said);
 
-/// The kinds of finding, most serious first; a set of them is a finding_set.
-enum class finding : unsigned { crossed_miss, gap, miss, order, revisit, far_spurious, outside };
-inline constexpr unsigned finding_kinds = 7;
+/// The kinds of finding, most serious first; a set of them is a finding_set. `spurious` is one for
+/// an exact promise only.
+enum class finding : unsigned {
+  crossed_miss,
+  gap,
+  miss,
+  order,
+  revisit,
+  far_spurious,
+  spurious,
+  outside
+};
+inline constexpr unsigned finding_kinds = 8;
 std::string_view name_of(finding f);
 
 using finding_set = unsigned;
@@ -95,13 +103,14 @@ inline finding worst(finding_set set) { return static_cast<finding>(std::countr_
 
 /// Everything that is told about one trial and one answer.
 struct verdict {
-  voxel_set touched = 0, missed = 0, crossed_missed = 0, touched_missed = 0, spurious = 0;
+  voxel_set touched = 0, visited = 0, missed = 0, crossed_missed = 0, touched_missed = 0,
+            spurious = 0;
   unsigned gaps = 0;
   bool order_error = false;
   finding_set findings = 0;
 };
 
-/// Judges an answer by its promise. Order is judged where the promise is `owned`.
+/// Judges an answer by its promise. Order is judged where owning octants are promised.
 verdict judge(const trial& t, const truth& is, const visited& said, promise p);
 
 /// Asks the traversal and judges the answer.

@@ -11,7 +11,16 @@ namespace graze::fuzz {
 /// Which octants a traversal promises to report; its misses are judged by this promise.
 /// `touched`: every octant whose closed box the ray meets. `owned`: every octant that owns a point
 /// of the ray, front to back. `crossed`: only those whose open interior the ray meets.
-enum class promise { touched, owned, crossed };
+/// `exactly_touched`, `exactly_owned`: the same octants as the first two, and no others.
+enum class promise { touched, owned, crossed, exactly_touched, exactly_owned };
+
+constexpr bool is_exact(promise p) {
+  return p == promise::exactly_touched || p == promise::exactly_owned;
+}
+/// The owning octants are promised, front to back.
+constexpr bool promises_owned(promise p) {
+  return p == promise::owned || p == promise::exactly_owned;
+}
 
 std::string_view name_of(promise p);
 

@@ -1,5 +1,6 @@
 #pragma once
 /// Axis-parallel boxes: the domain in which a surface is looked at, and octants cut by it.
+/// What kernels of a path use is always inlined: see batch/path.hpp.
 #include <algorithm>
 #include <cmath>
 #include <graze/octree/cube.hpp>
@@ -10,9 +11,11 @@ namespace graze::octree {
 struct box {
   vec3 lo, hi;
 
-  [[nodiscard]] bool empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
+  [[nodiscard, gnu::always_inline]] bool empty() const {
+    return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2];
+  }
   /// Corner `index`: bit a is set where the corner lies on the upper face of axis a.
-  [[nodiscard]] vec3 corner(unsigned index) const {
+  [[nodiscard, gnu::always_inline]] vec3 corner(unsigned index) const {
     return {(index & 1u) != 0 ? hi[0] : lo[0], (index & 2u) != 0 ? hi[1] : lo[1],
             (index & 4u) != 0 ? hi[2] : lo[2]};
   }
@@ -20,9 +23,11 @@ struct box {
 };
 
 /// The closed box of an octant. Exact for the octants of a root_cube.
-[[nodiscard]] inline box closed_box(const cube& c) { return {c.lo, {c.hi(0), c.hi(1), c.hi(2)}}; }
+[[nodiscard, gnu::always_inline]] inline box closed_box(const cube& c) {
+  return {c.lo, {c.hi(0), c.hi(1), c.hi(2)}};
+}
 
-[[nodiscard]] inline bool contains(const box& outer, const box& inner) {
+[[nodiscard, gnu::always_inline]] inline bool contains(const box& outer, const box& inner) {
   for (int a = 0; a < 3; ++a)
     if (!(outer.lo[a] <= inner.lo[a] && inner.hi[a] <= outer.hi[a]))
       return false;
@@ -30,7 +35,7 @@ struct box {
 }
 
 /// The common part; empty() when there is none. Exact.
-[[nodiscard]] inline box intersection(const box& p, const box& q) {
+[[nodiscard, gnu::always_inline]] inline box intersection(const box& p, const box& q) {
   box r{};
   for (int a = 0; a < 3; ++a) {
     r.lo[a] = std::max(p.lo[a], q.lo[a]);

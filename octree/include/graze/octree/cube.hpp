@@ -16,11 +16,11 @@ struct cube {
   vec3 lo;
   double size;
 
-  [[nodiscard]] double hi(int axis) const { return lo[axis] + size; }
-  [[nodiscard]] double mid(int axis) const { return lo[axis] + size / 2; }
+  [[nodiscard, gnu::always_inline]] double hi(int axis) const { return lo[axis] + size; }
+  [[nodiscard, gnu::always_inline]] double mid(int axis) const { return lo[axis] + size / 2; }
 
   /// Child `index`: bit a is set where the child lies on the upper side of mid(a).
-  [[nodiscard]] cube child(unsigned index) const {
+  [[nodiscard, gnu::always_inline]] cube child(unsigned index) const {
     return {{(index & 1u) != 0 ? mid(0) : lo[0], (index & 2u) != 0 ? mid(1) : lo[1],
              (index & 4u) != 0 ? mid(2) : lo[2]},
             size / 2};

@@ -62,9 +62,10 @@ template <class P> struct cube_minus_identity_lanes {
 } // namespace detail
 
 /// Encloses { t^3 - t : t in x } in each lane, with the scalar function's bounds; empty for empty.
-template <class Path>
-GRAZE_BATCH_INLINE interval8<Path> cube_minus_identity(const interval8<Path>& x) {
-  return interval8<Path>::template lanewise<&detail::cube_minus_identity_lanes<Path>::range>(x);
-}
+template <class Path> struct cube_minus_identity_of<interval8<Path>> {
+  static GRAZE_BATCH_INLINE interval8<Path> value(const interval8<Path>& x) {
+    return interval8<Path>::template lanewise<&detail::cube_minus_identity_lanes<Path>::range>(x);
+  }
+};
 
 } // namespace graze::octree

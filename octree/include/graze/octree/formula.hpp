@@ -73,10 +73,14 @@ lesser(const boost::numeric::interval<double, Policies>& a,
                                                     std::min(a.upper(), b.upper()));
 }
 
+/// x^3 - x, for a number type that knows no better. Specialize it for one that does: unlike an
+/// overload of a type of another namespace, a specialization is found wherever it is declared
+/// before the formula is evaluated.
+template <class N> struct cube_minus_identity_of {
+  static N value(const N& x) { return x * (x * x - constants<N>::exact(1)); }
+};
 /// x^3 - x.
-template <class N> N cube_minus_identity(const N& x) {
-  return x * (x * x - constants<N>::exact(1));
-}
+template <class N> N cube_minus_identity(const N& x) { return cube_minus_identity_of<N>::value(x); }
 
 namespace detail {
 /// Bounds of h(x) = x^3 - x at a double, from |h(x)| = m |m - 1| (m + 1) with m = |x|: three

@@ -92,6 +92,19 @@ template <rounding::Backend B> struct ray_bounds {
                                             : interval{enter_at(a, lo), leave_at<C>(a, hi)};
   }
 
+  /// Only t that are within [lo, hi], if any: both bounds rounded inwards. The same bounds at the
+  /// planes as in within(), each in the other's place.
+  template <convention C> static interval certainly_within(const axis& a, number lo, number hi) {
+    switch (a.direction) {
+    case heading::forward:
+      return {leave_at<C>(a, lo), enter_at(a, hi)};
+    case heading::backward:
+      return {leave_at<C>(a, hi), enter_at(a, lo)};
+    default:
+      return within<C>(a, lo, hi);
+    }
+  }
+
   /// The t that are within both.
   static interval common(const interval& x, const interval& y) {
     return {x.enter < y.enter ? y.enter : x.enter, y.leave < x.leave ? y.leave : x.leave};

@@ -27,32 +27,63 @@ public:
   }
 
   void split(const cube& cell, const state& at, branches<state>& out) const {
-    // half[a][s]: the interval of axis a on the lower (s = 0) or upper (s = 1) side of its
-    // mid-plane
-    std::array<std::array<typename bounds::interval, 2>, 3> half;
-    unsigned origin_side = 0;
-    for (int a = 0; a < 3; ++a) {
-      const double mid = cell.mid(a);
-      const unsigned entry_side = axes_[a].direction == heading::backward ? 1 : 0;
-      half[a][entry_side] = {at[a].enter, bounds::template leave_at<C>(axes_[a], mid)};
-      half[a][1 - entry_side] = {bounds::enter_at(axes_[a], mid), at[a].leave};
-      if (axes_[a].origin >= mid)
-        origin_side |= 1u << a;
+    const halves of = halve(cell, at);
+    in_order(passed(of), of.origin_side, [&](unsigned index) { out.push(index, of.child(index)); });
+  }
+
+protected:
+  /// A cell's intervals on the lower and upper side of its mid-planes.
+  struct halves {
+    std::array<std::array<typename bounds::interval, 2>, 3> half; ///< [axis][side]
+    unsigned origin_side; ///< bit a: the origin lies on the upper side of mid(a)
+
+    [[nodiscard]] state child(unsigned index) const {
+      return {half[0][index & 1], half[1][index >> 1 & 1], half[2][index >> 2 & 1]};
     }
-    // bounds::passes for all eight without a branch: each pair of sides in x and y serves two
-    // children
+  };
+
+  /// The side by which the ray enters on an axis.
+  [[nodiscard]] unsigned entry_side(unsigned axis) const {
+    return axes_[axis].direction == heading::backward ? 1 : 0;
+  }
+  [[nodiscard]] const std::array<typename bounds::axis, 3>& axes() const { return axes_; }
+  [[nodiscard]] bool moves(unsigned axis) const { return axes_[axis].direction != heading::across; }
+
+  [[nodiscard]] halves halve(const cube& cell, const state& at) const {
+    halves of;
+    of.origin_side = 0;
+    for (unsigned a = 0; a < 3; ++a) {
+      const double mid = cell.mid(static_cast<int>(a));
+      const unsigned entry = entry_side(a);
+      of.half[a][entry] = {at[a].enter, bounds::template leave_at<C>(axes_[a], mid)};
+      of.half[a][1 - entry] = {bounds::enter_at(axes_[a], mid), at[a].leave};
+      if (axes_[a].origin >= mid)
+        of.origin_side |= 1u << a;
+    }
+    return of;
+  }
+
+  /// Bit i is set where pass(xy, z) says so of child i, without a branch: the common interval of
+  /// each pair of sides in x and y serves two children.
+  template <class Pass> [[nodiscard]] static unsigned children(const halves& of, Pass pass) {
     std::array<typename bounds::interval, 4> xy;
     for (unsigned i = 0; i < 4; ++i)
-      xy[i] = bounds::common(half[0][i & 1], half[1][i >> 1]);
-    unsigned passed = 0;
+      xy[i] = bounds::common(of.half[0][i & 1], of.half[1][i >> 1]);
+    unsigned mask = 0;
     for (unsigned i = 0; i < 8; ++i)
-      passed |= (bounds::passes(xy[i & 3], half[2][i >> 2]) ? 1u : 0u) << i;
-    for (unsigned i = 0; i < 8; ++i) {
-      const unsigned index =
-          i ^ origin_side; // front to back: the origin's side first, on each axis
-      if ((passed >> index & 1) != 0)
-        out.push(index, {half[0][index & 1], half[1][index >> 1 & 1], half[2][index >> 2 & 1]});
-    }
+      mask |= (pass(xy[i & 3], of.half[2][i >> 2]) ? 1u : 0u) << i;
+    return mask;
+  }
+  [[nodiscard]] static unsigned passed(const halves& of) {
+    return children(of, [](const auto& xy, const auto& z) { return bounds::passes(xy, z); });
+  }
+
+  /// Front to back: the origin's side first, on each axis.
+  template <class Visit>
+  static void in_order(unsigned mask, unsigned origin_side, const Visit& visit) {
+    for (unsigned i = 0; i < 8; ++i)
+      if (const unsigned index = i ^ origin_side; (mask >> index & 1) != 0)
+        visit(index);
   }
 
 private:

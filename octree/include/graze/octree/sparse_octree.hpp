@@ -42,6 +42,7 @@ public:
   }
 
   class builder;
+  class room;
 
 private:
   explicit sparse_octree(const root_cube& root) : box_(root.box()), level_(root.level()) {}
@@ -84,6 +85,54 @@ public:
   }
 
 private:
+  sparse_octree tree_;
+};
+
+/// A builder's arrays, for code that writes in place and calls no function of the library but
+/// `more`: what is compiled for instructions that not every machine has. As the builder, siblings
+/// are written together, after what is below them.
+class sparse_octree::room {
+public:
+  std::uint8_t* masks = nullptr;
+  std::uint32_t* first_children = nullptr;
+  content* leaves = nullptr;
+  std::size_t nodes = 0, leaf_count = 0; ///< written
+  std::size_t most_nodes = 0, most_leaves = 0;
+  void (*more)(room&); ///< makes room for at least eight more of each
+  bool overflowed = false;
+
+  explicit room(const root_cube& root) : more(&enlarge), tree_(sparse_octree(root)) {
+    enlarge(*this);
+  }
+  room(const room&) = delete;
+  room& operator=(const room&) = delete;
+
+  /// The root is the last node.
+  [[nodiscard]] sparse_octree finish(const builder::inner& root) && {
+    tree_.mask_.resize(nodes);
+    tree_.first_child_.resize(nodes);
+    tree_.leaves_.resize(leaf_count);
+    tree_.mask_.push_back(root.mask);
+    tree_.first_child_.push_back(root.first_child);
+    return std::move(tree_);
+  }
+
+private:
+  static void enlarge(room& r) {
+    constexpr std::size_t least = 1024;
+    if (r.nodes + 8 > r.most_nodes) {
+      r.most_nodes = std::max(least, 2 * r.most_nodes);
+      r.tree_.mask_.resize(r.most_nodes);
+      r.tree_.first_child_.resize(r.most_nodes);
+    }
+    if (r.leaf_count + 8 > r.most_leaves) {
+      r.most_leaves = std::max(least, 2 * r.most_leaves);
+      r.tree_.leaves_.resize(r.most_leaves);
+    }
+    r.masks = r.tree_.mask_.data();
+    r.first_children = r.tree_.first_child_.data();
+    r.leaves = r.tree_.leaves_.data();
+  }
   sparse_octree tree_;
 };
 

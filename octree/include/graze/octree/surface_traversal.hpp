@@ -178,6 +178,98 @@ private:
   bool any_ = false, unresolved_ = false;
 };
 
+/// How the rays of a surface_traversal go down by the method M: here, by descend(). Specialized for
+/// methods that look at eight children at a time (descent_eight.hpp).
+template <Method M> struct surface_descent {
+  template <rounding::Backend B, Surface F, class Visit>
+  static bool run(const ray& r, const F& f, const box& domain, const sparse_octree& octree,
+                  int level, const Visit& visit, std::uint64_t& cells_opened) {
+    const continued_octree<F, B> tree(f, domain, octree);
+    return descend(
+        M(r), octree.box(), level, tree,
+        [&](const cube& cell, const auto&, const auto&) { return visit(cell); }, &cells_opened);
+  }
+  template <rounding::Backend B, Surface F>
+  static content content_of(const F& f, const cube&, const box& b) {
+    return leaf_content<B>(f, b);
+  }
+};
+
+/// What becomes of one ray while the octants of the last level that it meets are looked at, in the
+/// order of M. Within the scopes of M and B.
+template <Surface F, Method M, rounding::Backend B> class first_hit_in_progress {
+public:
+  /// Octants of the last level looked at before a ray is given up as undecided.
+  static constexpr std::uint64_t most_leaves = 4096;
+
+  first_hit_in_progress(const F& f, const box& domain, const ray& r)
+      : surface_(f), domain_(domain), g_(f, r), in_domain_(g_.within(domain)),
+        search_(g_, in_domain_) {}
+  first_hit_in_progress(const first_hit_in_progress&) = delete;
+  first_hit_in_progress& operator=(const first_hit_in_progress&) = delete;
+
+  /// Not proven to pass by the domain; otherwise there is nothing to visit.
+  [[nodiscard]] bool in_domain() const { return !in_domain_.empty(); }
+
+  /// Looks at the next octant; true if no other is needed.
+  bool visit(const cube& cell) {
+    const box b = intersection(closed_box(cell), domain_);
+    if (b.empty())
+      return false;
+    if (result_.leaf.size == 0) {
+      const content c = surface_descent<M>::template content_of<B>(surface_, cell, b);
+      if (c == content::none)
+        return false;
+      result_.leaf = cell;
+      result_.certified_leaf = c == content::certified;
+    }
+    if (search_.keep(g_.within(b)))
+      ++leaves_kept_;
+    return search_.proven() || ++looked_at_ == most_leaves;
+  }
+
+  /// The ray's end. `stopped`: visit returned true.
+  surface_hit finish(bool stopped, traversal_counts& counts) {
+    if (in_domain() && !stopped)
+      search_.finish();
+    counts.leaves_kept += leaves_kept_;
+    if (search_.proven()) {
+      result_.outcome = verdict::hit;
+      result_.t_near = search_.near();
+      result_.t_far = search_.far();
+    } else if (stopped) {
+      result_.outcome = verdict::undecided;
+      result_.t_near = search_.any() ? search_.near() : in_domain_.entry_down;
+      result_.t_far = in_domain_.exit_up;
+    } else if (search_.any()) {
+      result_.outcome = verdict::undecided;
+      result_.t_near = search_.near();
+      result_.t_far = search_.far();
+    }
+    return result_;
+  }
+
+  /// Whether results are flushed to zero even within the scopes: nothing is proven then.
+  [[nodiscard]] static bool flushes() {
+    constexpr unsigned flush_bits = 0x8040; // MXCSR: FTZ and DAZ
+    return (_mm_getcsr() & flush_bits) != 0;
+  }
+  [[nodiscard]] static surface_hit nothing_proven() {
+    return {verdict::undecided, 0, infinity, {{}, 0}, false};
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  const F& surface_;
+  const box& domain_;
+  along_ray<F, B> g_;
+  ray_span in_domain_;
+  root_search<F, B> search_;
+  surface_hit result_{verdict::miss, infinity, infinity, {{}, 0}, false};
+  std::uint64_t leaves_kept_ = 0, looked_at_ = 0;
+};
+
 /// First hits with one surface. M is the Method by which the ray descends; the verdicts are proven
 /// for the sound one in the convention `owned`, which is front to back; with a baseline they are
 /// what that baseline makes of the scene. B evaluates the surface; its scope must be compatible
@@ -187,8 +279,7 @@ template <Surface F, Method M = sound<rounding::upward, convention::owned>,
           rounding::Backend B = rounding::upward>
 class surface_traversal {
 public:
-  /// Octants of the last level looked at before a ray is given up as undecided.
-  static constexpr std::uint64_t most_leaves = 4096;
+  static constexpr std::uint64_t most_leaves = first_hit_in_progress<F, M, B>::most_leaves;
 
   /// `octree` must come from voxelizing the same surface in the same domain, and outlive this
   /// object. Refuses a level outside 1..53 or at which the octree's root is not exact.
@@ -200,61 +291,30 @@ public:
     return surface_traversal(surface, domain, octree, level);
   }
 
+  /// The same for arguments that make() has accepted before.
+  [[nodiscard]] static surface_traversal accepted(const F& surface, const box& domain,
+                                                  const sparse_octree& octree, int level) {
+    return surface_traversal(surface, domain, octree, level);
+  }
+
   /// Takes the rounding scopes itself. Where flushing to zero would remain on, nothing is proven:
   /// undecided, [0, infinity].
   [[nodiscard]] surface_hit first_hit(const ray& r, traversal_counts* counts = nullptr) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     [[maybe_unused]] const typename M::scope method_scope;
     [[maybe_unused]] const surface_scope scope;
-    surface_hit result{verdict::miss, infinity, infinity, {{}, 0}, false};
-    if ((_mm_getcsr() & flush_bits) != 0) {
-      result.outcome = verdict::undecided;
-      result.t_near = 0;
-      return result;
-    }
-
-    const along_ray<F, B> g(surface_, r);
-    const ray_span in_domain = g.within(domain_);
-    if (in_domain.empty())
-      return result;
-    root_search<F, B> search(g, in_domain);
-    const continued_octree<F, B> tree(surface_, domain_, *octree_);
+    if (progress::flushes())
+      return progress::nothing_proven();
     traversal_counts seen;
-    std::uint64_t looked_at = 0;
-    const auto visit = [&](const cube& cell, const auto&, const auto&) {
-      const box b = intersection(closed_box(cell), domain_);
-      if (b.empty())
-        return false;
-      if (result.leaf.size == 0) {
-        const content c = leaf_content<B>(surface_, b);
-        if (c == content::none)
-          return false;
-        result.leaf = cell;
-        result.certified_leaf = c == content::certified;
-      }
-      if (search.keep(g.within(b)))
-        ++seen.leaves_kept;
-      return search.proven() || ++looked_at == most_leaves;
-    };
-    const bool stopped = descend(M(r), octree_->box(), level_, tree, visit, &seen.cells_opened);
-    if (!stopped)
-      search.finish();
+    progress found(surface_, domain_, r);
+    const bool stopped =
+        found.in_domain() &&
+        surface_descent<M>::template run<B>(
+            r, surface_, domain_, *octree_, level_,
+            [&found](const cube& cell) { return found.visit(cell); }, seen.cells_opened);
+    const surface_hit result = found.finish(stopped, seen);
     if (counts != nullptr) {
       counts->cells_opened += seen.cells_opened;
       counts->leaves_kept += seen.leaves_kept;
-    }
-    if (search.proven()) {
-      result.outcome = verdict::hit;
-      result.t_near = search.near();
-      result.t_far = search.far();
-    } else if (stopped) {
-      result.outcome = verdict::undecided;
-      result.t_near = search.any() ? search.near() : in_domain.entry_down;
-      result.t_far = in_domain.exit_up;
-    } else if (search.any()) {
-      result.outcome = verdict::undecided;
-      result.t_near = search.near();
-      result.t_far = search.far();
     }
     return result;
   }
@@ -265,7 +325,7 @@ private:
   surface_traversal(const F& surface, const box& domain, const sparse_octree& octree, int level)
       : surface_(surface), domain_(domain), octree_(&octree), level_(level) {}
 
-  static constexpr unsigned flush_bits = 0x8040; // MXCSR: FTZ and DAZ
+  using progress = first_hit_in_progress<F, M, B>;
   struct no_scope {};
   using surface_scope = std::conditional_t<std::is_same_v<typename M::scope, typename B::scope>,
                                            no_scope, typename B::scope>;

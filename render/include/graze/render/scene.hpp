@@ -16,13 +16,14 @@
 namespace graze::render {
 
 /// The ray/surface work of one scene at one NL, whatever the type of its surface. Safe to be used
-/// by several threads at once. The virtual call is once a ray.
+/// by several threads at once. The virtual call is once a batch of rays.
 class caster {
 public:
   virtual ~caster() = default;
-  /// The first intersection of the ray with the surface, in the ray's own t; adds to `counts`.
-  virtual octree::surface_hit first_hit(const octree::ray& r,
-                                        octree::traversal_counts* counts) const = 0;
+  /// The first intersection of each ray with the surface, in the ray's own t; as many hits as
+  /// rays. Adds to `counts`.
+  virtual void first_hits(std::span<const octree::ray> rays, std::span<octree::surface_hit> hits,
+                          octree::traversal_counts* counts) const = 0;
   /// The surface's gradient near `point`, rounded to nearest; for light only. 0 at singular points.
   virtual vec3 gradient(const vec3& point) const = 0;
   /// Leaves of the octree in which the surface may be.

@@ -1,0 +1,180 @@
+// graze-traversal-bench surface: what a first hit costs, against NL and against the octree's level,
+// on each path and for the scalar code. One core; medians; the contenders in turn in each
+// repetition, so that what else the machine does meets all of them.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <graze/octree/lane_kernels.hpp>
+#include <graze/octree/surfaces.hpp>
+#include <string>
+#include <time.h>
+#include <vector>
+
+namespace {
+using namespace graze;
+using namespace graze::octree;
+
+struct options {
+  int repetitions = 5;
+  int size = 512;
+  bool json = false;
+};
+
+/// Of this thread's own time on the processor: on a quiet machine that is the wall clock's.
+double seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double median(std::vector<double> x) {
+  std::sort(x.begin(), x.end());
+  return x[x.size() / 2];
+}
+
+/// DESIGN's camera, without its framing: size x size rays.
+std::vector<ray> camera_rays(double scale, int size) {
+  std::vector<ray> rays;
+  for (int j = 0; j < size; ++j)
+    for (int i = 0; i < size; ++i) {
+      const double u = (i + 0.5) / size - 0.5, v = 0.5 - (j + 0.5) / size;
+      rays.push_back(*ray::make({3 * scale, 2 * scale, 6 * scale},
+                                {-3 + u * 3.578125 + v * -0.51171875, -2 + v * 3.8330078125,
+                                 -6 + u * -1.7890625 + v * -1.0224609375}));
+    }
+  return rays;
+}
+
+/// One line of the result: a scene, an octree's level, NL, and a contender.
+void print(const options& how, const char* scene, const char* what, const char* path, int stored,
+           int levels, double steps, double rate, double milliseconds) {
+  if (how.json)
+    std::printf("{\"scene\": \"%s\", \"what\": \"%s\", \"path\": \"%s\", \"octree_level\": %d, "
+                "\"levels\": %d, \"steps_per_ray\": %.2f, \"rays_per_second\": %.0f, "
+                "\"milliseconds\": %.3f}\n",
+                scene, what, path, stored, levels, steps, rate, milliseconds);
+  else if (std::strcmp(what, "voxelize") == 0)
+    std::printf("%-10s voxelize  level %2d         %-8s %8.2f ms\n", scene, stored, path,
+                milliseconds);
+  else
+    std::printf("%-10s first hit level %2d NL %2d   %-8s %8.3f M rays/s %6.1f steps/ray %5.1f "
+                "ns/step\n",
+                scene, stored, levels, path, rate / 1e6, steps, 1e9 / (rate * steps));
+  std::fflush(stdout);
+}
+
+struct contender {
+  std::string name;
+  std::function<void()> run;
+  std::vector<double> times;
+};
+
+void measure(std::vector<contender>& all, int repetitions) {
+  for (contender& c : all)
+    c.run(); // warm
+  for (int r = 0; r < repetitions; ++r)
+    for (contender& c : all) {
+      const double start = seconds();
+      c.run();
+      c.times.push_back(seconds() - start);
+    }
+}
+
+template <class F>
+void first_hits(const options& how, const char* scene, const box& domain,
+                const std::vector<ray>& rays, int stored, int levels, bool scalar_too) {
+  const auto octree = voxelize_in_lanes(F{}, domain, stored);
+  if (!octree)
+    return;
+  std::vector<surface_hit> hits(rays.size());
+  std::vector<contender> all;
+  double steps = 0;
+  for (const batch::path p : batch::paths)
+    if (const auto t = lane_traversal<F>::make(F{}, domain, *octree, levels, p))
+      all.push_back({batch::name(p),
+                     [t = *t, &rays, &hits, &steps] {
+                       traversal_counts counts;
+                       t.first_hits(rays, hits, &counts);
+                       steps = static_cast<double>(counts.cells_opened) /
+                               static_cast<double>(rays.size());
+                     },
+                     {}});
+  if (scalar_too)
+    if (const auto t = surface_traversal<F>::make(F{}, domain, *octree, levels))
+      all.push_back({"scalar",
+                     [t = *t, &rays, &hits] {
+                       for (std::size_t i = 0; i < rays.size(); ++i)
+                         hits[i] = t.first_hit(rays[i]);
+                     },
+                     {}});
+  measure(all, how.repetitions);
+  for (const contender& c : all) {
+    const double t = median(c.times);
+    print(how, scene, "first_hit", c.name.c_str(), stored, levels, steps,
+          static_cast<double>(rays.size()) / t, 1e3 * t);
+  }
+}
+
+template <class F> void surface(const options& how, const char* scene, double scale, double reach) {
+  const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
+  const std::vector<ray> rays = camera_rays(scale, how.size);
+  {
+    std::vector<contender> all;
+    for (const batch::path p : batch::paths)
+      if (!batch::refusal(p))
+        all.push_back({batch::name(p),
+                       [&domain, p] {
+                         if (!voxelize_in_lanes(F{}, domain, 9, p))
+                           std::abort();
+                       },
+                       {}});
+    all.push_back({"scalar",
+                   [&domain] {
+                     if (!voxelize(F{}, domain, 9))
+                       std::abort();
+                   },
+                   {}});
+    measure(all, std::max(9, how.repetitions));
+    for (const contender& c : all)
+      print(how, scene, "voxelize", c.name.c_str(), 9, 9, 0, 0, 1e3 * median(c.times));
+  }
+  for (const int levels : {10, 15, 20, 25, 30, 35, 40, 45, 50, 53})
+    first_hits<F>(how, scene, domain, rays, 9, levels, true);
+  for (const int stored : {5, 6, 7, 8, 10, 11})
+    first_hits<F>(how, scene, domain, rays, stored, 30, true);
+}
+
+int complain(const char* why) {
+  std::fprintf(stderr,
+               "graze-traversal-bench: %s\n"
+               "usage: graze-traversal-bench surface [--repetitions N] [--size PIXELS] [--json]\n",
+               why);
+  return 2;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  options how;
+  if (argc < 2 || std::strcmp(argv[1], "surface") != 0)
+    return complain("the mode must be: surface");
+  for (int i = 2; i < argc; ++i) {
+    const std::string a = argv[i];
+    const auto number = [&](int& to, int most) {
+      to = i + 1 < argc ? std::atoi(argv[++i]) : 0;
+      return to >= 1 && to <= most;
+    };
+    if (a == "--json")
+      how.json = true;
+    else if (a == "--repetitions" && number(how.repetitions, 1000))
+      continue;
+    else if (a == "--size" && number(how.size, 4096))
+      continue;
+    else
+      return complain(("bad option " + a).c_str());
+  }
+  surface<tanglecube>(how, "tanglecube", 2, 2.5);
+  surface<quartdef>(how, "quartdef", 1.125, 1.5);
+}

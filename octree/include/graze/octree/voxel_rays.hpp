@@ -1,0 +1,162 @@
+#pragma once
+/// Rays through a voxel_set: all occupied voxels on a ray, in order, by callback or as a range; the
+/// first one; a segment of the ray; batches of rays.
+///
+/// Eight lanes of AVX-512, four of AVX2 or the baseline, chosen at run time as for batches
+/// (graze::batch::force_path and GRAZE_BATCH_PATH force one); the verdicts are the same on all. The
+/// loops are compiled in the library and fill a buffer: a call through a pointer for a buffer, none
+/// for a voxel, and callbacks run in the caller's own rounding mode.
+///
+/// A voxel is reported if the ray {o + t d : t >= 0}, or its segment,
+///   conservative, closed   may touch the closed voxel: never one too few, rarely one too many;
+///   conservative, owned    may have a point in the half-open voxel: likewise;
+///   exact, closed          touches the closed voxel: never one too few, never one too many;
+///   exact, owned           has a point in the half-open voxel (at the root's far faces closed).
+/// Owned voxels come front to back. Closed ones come in the order of their indices, each axis taken
+/// in the direction of the ray, node by node; that is front to back but for those touched in
+/// common.
+#include <cstddef>
+#include <graze/octree/ray_segment.hpp>
+#include <graze/octree/voxel_rays_state.hpp>
+#include <graze/octree/voxel_set.hpp>
+#include <iterator>
+#include <optional>
+#include <span>
+
+namespace graze::octree {
+
+namespace detail {
+/// The kernels of the path in use.
+const voxel_rays_table& voxel_rays_kernels();
+/// Sets what depends on the set, and what is asked.
+void prepare(voxel_rays_state& s, const voxel_set& set, convention what, exactness how,
+             const ray_segment& segment, bool soonest);
+inline void set_ray(voxel_rays_state& s, const ray& r) {
+  for (unsigned a = 0; a < 3; ++a) {
+    s.origin[a] = r.origin()[a];
+    s.direction[a] = r.direction()[a];
+  }
+}
+} // namespace detail
+
+/// A walk through the occupied voxels on a ray: a generator whose whole state is in the object
+/// (about 60 KB, of which few are used); nothing is allocated. The set must outlive it; it is not
+/// copied or moved. With `soonest` the first voxels come after the least work; without, all do.
+class voxel_walk {
+public:
+  voxel_walk(const voxel_set& set, const ray& r, convention what = convention::owned,
+             exactness how = exactness::exact, const ray_segment& segment = {},
+             bool soonest = false)
+      : kernels_(&detail::voxel_rays_kernels()) {
+    detail::prepare(state_, set, what, how, segment, soonest);
+    detail::set_ray(state_, r);
+    kernels_->start(state_);
+  }
+  voxel_walk(const voxel_walk&) = delete;
+  voxel_walk& operator=(const voxel_walk&) = delete;
+
+  /// Writes the next voxels, 64 at least to ask for; none means that there are no more.
+  std::size_t next(std::span<voxel> out) { return kernels_->fill(state_, out.data(), out.size()); }
+  /// Nodes opened so far.
+  [[nodiscard]] std::uint64_t opened() const { return state_.opened; }
+
+  class iterator {
+  public:
+    using value_type = voxel;
+    using difference_type = std::ptrdiff_t;
+    using iterator_concept = std::input_iterator_tag;
+    iterator() = default;
+    explicit iterator(voxel_walk& w) : walk_(&w) {}
+    const voxel& operator*() const { return walk_->buffer_[walk_->at_]; }
+    iterator& operator++() {
+      if (++walk_->at_ == walk_->held_)
+        walk_->refill();
+      return *this;
+    }
+    void operator++(int) { ++*this; }
+    friend bool operator==(const iterator& i, std::default_sentinel_t) { return i.ended(); }
+
+  private:
+    [[nodiscard]] bool ended() const { return walk_->held_ == 0; }
+    voxel_walk* walk_ = nullptr;
+  };
+  /// A single pass: begins where the walk is.
+  iterator begin() {
+    refill();
+    return iterator(*this);
+  }
+  static std::default_sentinel_t end() { return std::default_sentinel; }
+
+private:
+  void refill() {
+    held_ = next(buffer_);
+    at_ = 0;
+  }
+  const detail::voxel_rays_table* kernels_;
+  detail::voxel_rays_state state_;
+  std::size_t held_ = 0, at_ = 0;
+  std::array<voxel, 128> buffer_;
+};
+
+/// Calls visit(voxel) for each occupied voxel on the ray; stops when visit returns true, and then
+/// returns true.
+template <class Visit>
+bool visit_voxels(const voxel_set& set, const ray& r, convention what, exactness how,
+                  const ray_segment& segment, Visit&& visit) {
+  voxel_walk walk(set, r, what, how, segment);
+  std::array<voxel, 128> found;
+  while (const std::size_t n = walk.next(found))
+    for (std::size_t i = 0; i < n; ++i)
+      if (visit(found[i]))
+        return true;
+  return false;
+}
+
+/// The first occupied voxel that owns a point of the ray's segment (`exact`), or the first that may
+/// (`conservative`).
+[[nodiscard]] inline std::optional<voxel> first_voxel(const voxel_set& set, const ray& r,
+                                                      exactness how = exactness::exact,
+                                                      const ray_segment& segment = {}) {
+  voxel_walk walk(set, r, convention::owned, how, segment, true);
+  std::array<voxel, 64> found; // one node's: the walk ends with the first that has any
+  return walk.next(found) != 0 ? std::optional(found[0]) : std::nullopt;
+}
+
+/// The number of occupied voxels on each ray, into counts (as many as rays). Returns the number of
+/// nodes opened.
+inline std::uint64_t count_voxels(const voxel_set& set, std::span<const ray> rays, convention what,
+                                  exactness how, std::span<std::uint32_t> counts,
+                                  const ray_segment& segment = {}) {
+  const detail::voxel_rays_table& kernels = detail::voxel_rays_kernels();
+  detail::voxel_rays_state state;
+  detail::prepare(state, set, what, how, segment, false);
+  std::uint64_t opened = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    detail::set_ray(state, rays[i]);
+    counts[i] = kernels.count(state);
+    opened += state.opened;
+  }
+  return opened;
+}
+
+/// Calls visit(i, voxels) for each ray i with spans of its occupied voxels, in order: none, one or
+/// more spans a ray. Returns the number of nodes opened.
+template <class Visit>
+std::uint64_t visit_voxels(const voxel_set& set, std::span<const ray> rays, convention what,
+                           exactness how, const ray_segment& segment, Visit&& visit) {
+  const detail::voxel_rays_table& kernels = detail::voxel_rays_kernels();
+  std::array<voxel, 128> found;
+  detail::voxel_rays_state state;
+  detail::prepare(state, set, what, how, segment, false);
+  std::uint64_t opened = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    detail::set_ray(state, rays[i]);
+    kernels.start(state);
+    while (const std::size_t n = kernels.fill(state, found.data(), found.size()))
+      visit(i, std::span<const voxel>(found.data(), n));
+    opened += state.opened;
+  }
+  return opened;
+}
+
+} // namespace graze::octree

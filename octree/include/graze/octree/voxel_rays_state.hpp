@@ -1,0 +1,81 @@
+#pragma once
+/// What voxel_rays.hpp and the paths' files have in common: plain data, no code.
+#include <cstddef>
+#include <cstdint>
+
+namespace graze::octree {
+
+/// Whether visits are only never too few (conservative), or exactly those that the convention
+/// names.
+enum class exactness { conservative, exact };
+
+struct voxel;
+
+namespace detail {
+
+/// An octant to be opened.
+struct voxel_rays_entry {
+  double lo[3];         ///< its lower corner, each coordinate times the ray's sign
+  std::uint64_t packed; ///< of its first voxel
+  std::uint32_t node;
+};
+
+/// One axis of a ray, prepared by the path.
+struct voxel_rays_axis {
+  double sign;                       ///< -1 where the ray goes backward, else 1
+  double enter_origin, leave_origin; ///< times sign
+  double c_down, c_up;               ///< infinite where the ray does not move
+};
+
+/// A walk that can be left and resumed: a queue of octants for each level of nodes, the deepest of
+/// which is emptied first.
+struct voxel_rays_state {
+  static constexpr unsigned queue = 128;
+  static constexpr unsigned most_depth = 10;
+
+  // the set
+  const std::uint64_t* masks;
+  const std::uint32_t* firsts;
+  double root_lo[3], root_size;
+  int level;
+  unsigned depth;                  ///< levels of nodes
+  double sizes[most_depth];        ///< of a node's octants
+  unsigned char shift[most_depth]; ///< levels below a node's octants
+  // the ray and what is asked
+  double origin[3], direction[3];
+  double first, last;
+  bool owned, exact;
+  unsigned most_queued; ///< queue: level by level; 64: the first voxel soonest
+  // made by start
+  voxel_rays_axis axes[3];
+  double from, to; ///< the segment in scaled t, rounded outwards
+  double certain;  ///< an overlap greater than this is not the work of rounding
+  unsigned flip;   ///< index bits of the axes along which the ray goes backward
+  // the walk
+  std::uint64_t opened;
+  unsigned at;
+  unsigned head[most_depth], tail[most_depth];
+  voxel_rays_entry entries[most_depth][queue + 4];
+};
+
+/// The kernels of a path.
+struct voxel_rays_table {
+  /// Prepares the ray and queues the root.
+  void (*start)(voxel_rays_state&);
+  /// Writes up to `capacity` (at least 64) voxels; none only at the walk's end.
+  std::size_t (*fill)(voxel_rays_state&, voxel* out, std::size_t capacity);
+  /// start, and the number of all voxels.
+  std::uint32_t (*count)(voxel_rays_state&);
+};
+
+extern const voxel_rays_table voxel_rays_baseline;
+#if defined(__x86_64__)
+extern const voxel_rays_table voxel_rays_avx2;
+extern const voxel_rays_table voxel_rays_avx512;
+#endif
+
+/// Decides what the filter leaves: whether the voxel is to be reported. In any rounding mode.
+bool voxel_rays_meet(const voxel_rays_state& s, std::uint64_t packed);
+
+} // namespace detail
+} // namespace graze::octree

@@ -1,0 +1,12 @@
+// The kernels of the path avx2, compiled for its instructions.
+#include "tables.hpp"
+#include <graze/octree/lane_kernels_of_path.hpp>
+
+namespace graze::octree::detail {
+constinit const lane_tables avx2_lanes{
+    make_lane_kernels<batch::avx2, octree::spheres>(),
+    make_lane_kernels<batch::avx2, octree::quartdef>(),
+    make_lane_kernels<batch::avx2, octree::tanglecube>(),
+    make_lane_kernels<batch::avx2, octree::holesrot>(),
+};
+} // namespace graze::octree::detail

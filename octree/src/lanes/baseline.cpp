@@ -1,0 +1,12 @@
+// The kernels of the path baseline, compiled for its instructions.
+#include "tables.hpp"
+#include <graze/octree/lane_kernels_of_path.hpp>
+
+namespace graze::octree::detail {
+constinit const lane_tables baseline_lanes{
+    make_lane_kernels<batch::baseline, octree::spheres>(),
+    make_lane_kernels<batch::baseline, octree::quartdef>(),
+    make_lane_kernels<batch::baseline, octree::tanglecube>(),
+    make_lane_kernels<batch::baseline, octree::holesrot>(),
+};
+} // namespace graze::octree::detail

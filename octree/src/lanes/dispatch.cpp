@@ -1,0 +1,35 @@
+// Which path's kernels.
+#include "tables.hpp"
+
+namespace graze::octree {
+namespace {
+
+const detail::lane_tables& tables_of(batch::path p) {
+  switch (p) {
+#if defined(__x86_64__)
+  case batch::path::avx512:
+    return detail::avx512_lanes;
+  case batch::path::avx2:
+    return detail::avx2_lanes;
+#endif
+  default:
+    return detail::baseline_lanes;
+  }
+}
+
+} // namespace
+
+template <> const lane_kernels<spheres>& lane_kernels_of<spheres>(batch::path p) {
+  return tables_of(p).spheres;
+}
+template <> const lane_kernels<quartdef>& lane_kernels_of<quartdef>(batch::path p) {
+  return tables_of(p).quartdef;
+}
+template <> const lane_kernels<tanglecube>& lane_kernels_of<tanglecube>(batch::path p) {
+  return tables_of(p).tanglecube;
+}
+template <> const lane_kernels<holesrot>& lane_kernels_of<holesrot>(batch::path p) {
+  return tables_of(p).holesrot;
+}
+
+} // namespace graze::octree
