@@ -12,6 +12,7 @@ import argparse
 import hashlib
 import importlib.metadata
 import math
+import os
 import re
 import struct
 import subprocess
@@ -147,6 +148,7 @@ def main():
     parser.add_argument("file", type=Path)
     parser.add_argument("--seconds", type=int, default=120)
     parser.add_argument("--passed", type=Path, help="where it is kept what has passed")
+    parser.add_argument("--python", help="the interpreter that has the solvers, if this one has not")
     parser.add_argument("--solve", action="store_true", help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     text = arguments.file.read_text()
@@ -158,6 +160,10 @@ def main():
     try:
         __import__(arguments.solver)
     except ImportError:
+        other = arguments.python
+        if other and os.path.exists(other) and os.path.abspath(sys.executable) != os.path.abspath(other):
+            sys.stdout.flush()
+            os.execv(other, [other] + sys.argv)
         print(f"skipped: {arguments.solver} is not installed (proofs/smt/requirements.txt)")
         return 77
     print("\n".join(line for line in text.splitlines() if re.match("; (?!replay|shows)", line)))
