@@ -667,3 +667,46 @@ Example centre_outside_a_flat_subnormal_box :
   let tiny := num 1%Z (-1074)%Z in
   Bltb tiny (@halves_sum 53 1024 eq_refl eq_refl mode_UP (num 2%Z 0%Z) tiny tiny) = true.
 Proof. vm_compute. reflexivity. Qed.
+
+(** * The descent (voxelizer.hpp): every octant of the last level that holds a zero is kept *)
+Section Descent.
+Variable cell : Type.
+Variable child : cell -> nat -> cell.
+(** The cell's part within the domain holds a zero. *)
+Variable holds : cell -> Prop.
+Hypothesis held_by_parent : forall c i, holds (child c i) -> holds c.
+(** has_no_zero (or an empty part), and leaf_content = none. *)
+Variable discarded none_left : cell -> bool.
+Hypothesis discarded_sound : forall c, discarded c = true -> ~ holds c.
+Hypothesis none_left_sound : forall c, none_left c = true -> ~ holds c.
+
+(** nodes_below and leaves_below: what is kept `levels` below c. *)
+Fixpoint kept (levels : nat) (c : cell) : list cell :=
+  match levels with
+  | O => [c]
+  | S n =>
+      flat_map (fun i =>
+        let k := child c i in
+        if discarded k || (match n with O => none_left k | _ => false end) then [] else kept n k)
+        [0; 1; 2; 3; 4; 5; 6; 7]%nat
+  end.
+Fixpoint descendant (c : cell) (path : list nat) : cell :=
+  match path with [] => c | i :: r => descendant (child c i) r end.
+
+Lemma held_by_ancestor c path : holds (descendant c path) -> holds c.
+Proof. revert c. induction path as [|i r IH]; intros c H; [exact H|]. apply (held_by_parent c i), IH, H. Qed.
+
+Theorem zeros_are_kept c path : Forall (fun i => (i < 8)%nat) path ->
+  holds (descendant c path) -> In (descendant c path) (kept (length path) c).
+Proof.
+  revert c. induction path as [|i r IH]; intros c F H; [left; reflexivity|].
+  inversion F as [|? ? Fi Fr]; subst. cbn [length kept descendant] in *.
+  apply in_flat_map. exists i. split.
+  - do 8 (destruct i as [|i]; [simpl; tauto|]). lia.
+  - cbv zeta. destruct (discarded (child c i)) eqn:D.
+    + exfalso. exact (discarded_sound _ D (held_by_ancestor _ _ H)).
+    + destruct (match length r with O => none_left (child c i) | _ => false end) eqn:N.
+      * exfalso. destruct r; [|discriminate N]. exact (none_left_sound _ N H).
+      * cbn [orb]. apply IH; assumption.
+Qed.
+End Descent.
