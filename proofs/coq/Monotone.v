@@ -1,14 +1,16 @@
 (** A child that passes implies that its parent passes.
 
     For directed rounding `lowb` and `uppb` preserve order: where the exact difference grows, the
-    bound does not fall. So a box within another has the narrower intervals
-    ([touches_box_monotone]), and in the split of octree/include/graze/octree/sound.hpp, where a
-    child takes one bound from its parent and evaluates the other at the mid-plane, the evaluated
-    one tightens ([half_within_parent]); and what is wider than a
-    passing interval passes. So [split_monotone]: a child that passes implies that its parent does, at each level of a descent.
+    bound does not fall ([lowb_monotone], [uppb_monotone]; together, [ordered]). So a box within
+    another has the narrower intervals ([touches_box_monotone]), and in the split of
+    octree/include/graze/octree/sound.hpp, where a child takes one bound from its parent and
+    evaluates the other at the mid-plane, the evaluated one tightens ([half_within_parent]). What is
+    wider than a passing interval passes; hence [split_monotone]: a child that passes implies that its
+    parent does, at each level of a descent.
 
     What is asked of the constants is 0 <= Cdn <= Cup, Cdn finite, Cup > 0 ([factor_of_floats]);
-    [prepare_axis_encloses] shows that preparation delivers it. *)
+    [prepare_axis_encloses] shows that preparation delivers it. The part from [ordered] on holds over
+    any backend whose bounds preserve order; Nextafter.v uses it for another. *)
 From Coq Require Import ZArith Bool Reals Lra SpecFloat.
 From Flocq Require Import Core BinarySingleNaN.
 From Graze Require Import Model Negation Bounds Never_miss.
@@ -157,6 +159,38 @@ Proof.
   apply lowb_monotone with C; trivial. lra.
 Qed.
 
+(** Both bounds of the axis preserve order over the backend b, and hence are not NaN. *)
+Definition ordered (b : backend prec emax) (a : axis) : Prop := forall p q p' q' : float,
+  is_finite p = true -> is_finite q = true -> is_finite p' = true -> is_finite q' = true ->
+  (B2R p - B2R q <= B2R p' - B2R q')%R ->
+  Model.lowb _ _ b a p q <=? Model.lowb _ _ b a p' q' = true /\
+  Model.uppb _ _ b a p q <=? Model.uppb _ _ b a p' q' = true.
+
+(** Over the directed operations they do. *)
+Theorem directed_ordered : forall (a : axis) (C : R), factor a C -> ordered directed a.
+Proof.
+  intros a C H p q p' q' Fp Fq Fp' Fq' L.
+  split; [now apply lowb_monotone with C | now apply uppb_monotone with C].
+Qed.
+
+(** A prepared ray's origin and constants meet what is asked. *)
+Lemma prepare_ordered : forall o d : three float, finite3 _ _ o -> finite3 _ _ d ->
+  all3 (ordered directed) (prepare o d) /\ all3 (fun a => is_finite (origin a) = true) (prepare o d).
+Proof.
+  intros [ox oy oz] [dx dy dz] (Fox & Foy & Foz) (Fdx & Fdy & Fdz).
+  repeat apply conj; trivial; eapply directed_ordered; now apply prepare_axis_encloses.
+Qed.
+
+(** ** Over any backend whose bounds preserve order *)
+
+Section Ordered.
+Variable b : backend prec emax.
+Notation enter_at := (Model.enter_at prec emax b).
+Notation leave_at := (Model.leave_at prec emax b).
+Notation within := (Model.within prec emax b).
+Notation half := (Model.half prec emax b).
+Notation ordered := (ordered b).
+
 (** The planes by which the ray enters and leaves [lo, hi]. *)
 Definition entry (a : axis) (lo hi : float) : float :=
   match direction a with backward => hi | _ => lo end.
@@ -168,12 +202,12 @@ Definition along (a : axis) (p p' : float) : Prop :=
   match direction a with backward => (B2R p' <= B2R p)%R | _ => (B2R p <= B2R p')%R end.
 
 (** A later plane is entered later. *)
-Lemma enter_at_monotone : forall (a : axis) (C : R) (p p' : float),
-  factor a C -> is_finite (origin a) = true -> is_finite p = true -> is_finite p' = true ->
+Lemma enter_at_monotone : forall (a : axis) (p p' : float),
+  ordered a -> is_finite (origin a) = true -> is_finite p = true -> is_finite p' = true ->
   along a p p' -> enter_at a p <=? enter_at a p' = true.
 Proof.
-  intros a C p p' H Fo Fp Fp' L. unfold along in L. unfold Model.enter_at.
-  destruct (direction a); try (apply lowb_monotone with C; trivial; lra).
+  intros a p p' H Fo Fp Fp' L. unfold along in L. unfold Model.enter_at.
+  destruct (direction a); try (apply H; trivial; lra).
   destruct (p' <=? origin a) eqn:E'.
   - assert (E : p <=? origin a = true).
     { apply le_finite; trivial. apply le_finite in E'; trivial. lra. }
@@ -182,12 +216,12 @@ Proof.
 Qed.
 
 (** A later plane is left later; a closed face is left no earlier than the same face half-open. *)
-Lemma leave_at_monotone : forall (c c' : convention) (a : axis) (C : R) (p p' : float),
-  factor a C -> is_finite (origin a) = true -> is_finite p = true -> is_finite p' = true ->
+Lemma leave_at_monotone : forall (c c' : convention) (a : axis) (p p' : float),
+  ordered a -> is_finite (origin a) = true -> is_finite p = true -> is_finite p' = true ->
   (c' = closed \/ c' = c) -> along a p p' -> leave_at c a p <=? leave_at c' a p' = true.
 Proof.
-  intros c c' a C p p' H Fo Fp Fp' Conv L. unfold along in L. unfold Model.leave_at.
-  destruct (direction a); try (apply uppb_monotone with C; trivial; lra).
+  intros c c' a p p' H Fo Fp Fp' Conv L. unfold along in L. unfold Model.leave_at.
+  destruct (direction a); try (apply H; trivial; lra).
   set (x := match c with closed => _ | owned => _ end).
   set (x' := match c' with closed => _ | owned => _ end).
   assert (I : x = true -> x' = true).
@@ -259,29 +293,30 @@ Proof.
 Qed.
 
 (** A half is narrower than its parent: it shares one bound and tightens the other. *)
-Theorem half_within_parent : forall (c : convention) (a : axis) (C : R) (lo hi mid : float)
+Theorem half_within_parent : forall (c : convention) (a : axis) (lo hi mid : float)
     (i : interval) (upper : bool),
-  factor a C -> is_finite (origin a) = true ->
+  ordered a -> is_finite (origin a) = true ->
   is_finite lo = true -> is_finite mid = true -> is_finite hi = true ->
   (B2R lo <= B2R mid <= B2R hi)%R ->
   of_cell c a lo hi i -> narrower (half c a i mid upper) i.
 Proof.
-  intros c a C lo hi mid i upper H Fo Fl Fm Fh [L1 L2] [E (c' & Conv & V)].
-  pose proof (fun p p' => enter_at_monotone a C p p' H Fo) as Em.
-  pose proof (fun p p' => leave_at_monotone c c' a C p p' H Fo) as Lm.
-  pose proof (fun p => enter_at_never_nan _ _ a C p H Fo) as En.
-  pose proof (fun p => leave_at_never_nan _ _ c' a C p H Fo) as Ln.
+  intros c a lo hi mid i upper H Fo Fl Fm Fh [L1 L2] [E (c' & Conv & V)].
+  pose proof (fun p p' => enter_at_monotone a p p' H Fo) as Em.
+  pose proof (fun p p' => leave_at_monotone c c' a p p' H Fo) as Lm.
+  assert (Self : forall p, along a p p) by (intros p; unfold along; destruct (direction a); lra).
+  pose proof (fun p F => Em p p F F (Self p)) as En.
+  pose proof (fun p F => leave_at_monotone c' c' a p p H Fo F F (or_intror eq_refl) (Self p)) as Ln.
+  clear Self.
   unfold narrower, entry, exit, along, Model.half in *.
   destruct (direction a), upper; simpl; rewrite E, V; split;
-    solve [apply le_refl; (apply En || apply Ln); trivial | apply Em; trivial | apply Lm; trivial].
+    solve [apply En; trivial | apply Ln; trivial | apply Em; trivial | apply Lm; trivial].
 Qed.
 
 (** A child of the split that passes implies that its parent passes. Each axis may be split or, by
     [narrower], be any narrower interval. *)
 Theorem split_monotone : forall (c : convention) (r : three axis) (lo mid hi : three float)
     (at_ : three interval) (ux uy uz : bool),
-  (exists C, factor (at_x r) C) -> (exists C, factor (at_y r) C) -> (exists C, factor (at_z r) C) ->
-  all3 (fun a => is_finite (origin a) = true) r ->
+  all3 ordered r -> all3 (fun a => is_finite (origin a) = true) r ->
   finite3 _ _ lo -> finite3 _ _ mid -> finite3 _ _ hi ->
   (B2R (at_x lo) <= B2R (at_x mid) <= B2R (at_x hi))%R ->
   (B2R (at_y lo) <= B2R (at_y mid) <= B2R (at_y hi))%R ->
@@ -293,39 +328,45 @@ Theorem split_monotone : forall (c : convention) (r : three axis) (lo mid hi : t
     (half c (at_z r) (at_z at_) (at_z mid) uz) = true ->
   passes _ _ (at_x at_) (at_y at_) (at_z at_) = true.
 Proof.
-  intros c r lo mid hi at_ ux uy uz (Cx & Hx) (Cy & Hy) (Cz & Hz) (Ox & Oy & Oz) (Flx & Fly & Flz)
+  intros c r lo mid hi at_ ux uy uz (Hx & Hy & Hz) (Ox & Oy & Oz) (Flx & Fly & Flz)
     (Fmx & Fmy & Fmz) (Fhx & Fhy & Fhz) Lx Ly Lz Sx Sy Sz.
   apply passes_monotone.
-  - now apply (half_within_parent c _ Cx (at_x lo) (at_x hi)).
-  - now apply (half_within_parent c _ Cy (at_y lo) (at_y hi)).
-  - now apply (half_within_parent c _ Cz (at_z lo) (at_z hi)).
+  - now apply (half_within_parent c _ (at_x lo) (at_x hi)).
+  - now apply (half_within_parent c _ (at_y lo) (at_y hi)).
+  - now apply (half_within_parent c _ (at_z lo) (at_z hi)).
 Qed.
 
 (** The interval of a smaller range of the axis is narrower. *)
-Theorem within_monotone : forall (c : convention) (a : axis) (C : R) (lo hi lo' hi' : float),
-  factor a C -> is_finite (origin a) = true ->
+Theorem within_monotone : forall (c : convention) (a : axis) (lo hi lo' hi' : float),
+  ordered a -> is_finite (origin a) = true ->
   is_finite lo = true -> is_finite hi = true -> is_finite lo' = true -> is_finite hi' = true ->
   (B2R lo' <= B2R lo)%R -> (B2R hi <= B2R hi')%R ->
   narrower (within c a lo hi) (within c a lo' hi').
 Proof.
-  intros c a C lo hi lo' hi' H Fo Fl Fh Fl' Fh' L U.
-  pose proof (fun p p' => enter_at_monotone a C p p' H Fo) as Em.
-  pose proof (fun p p' => leave_at_monotone c c a C p p' H Fo) as Lm.
+  intros c a lo hi lo' hi' H Fo Fl Fh Fl' Fh' L U.
+  pose proof (fun p p' => enter_at_monotone a p p' H Fo) as Em.
+  pose proof (fun p p' => leave_at_monotone c c a p p' H Fo) as Lm.
   unfold narrower, along, Model.within in *.
   destruct (direction a); simpl; split; (apply Em || apply Lm); auto.
 Qed.
 
-(** A prepared ray's origin and constants meet what is asked. *)
-Lemma prepare_ready : forall o d : three float, finite3 _ _ o -> finite3 _ _ d ->
-  let r := prepare o d in
-  (exists C, factor (at_x r) C) /\ (exists C, factor (at_y r) C) /\ (exists C, factor (at_z r) C) /\
-  all3 (fun a => is_finite (origin a) = true) r.
+(** If the inner of two boxes passes, so does the outer. *)
+Theorem touches_box_ordered : forall (r : three axis) (lo hi lo' hi' : three float),
+  all3 ordered r -> all3 (fun a => is_finite (origin a) = true) r ->
+  finite3 _ _ lo -> finite3 _ _ hi -> finite3 _ _ lo' -> finite3 _ _ hi' ->
+  (B2R (at_x lo') <= B2R (at_x lo))%R -> (B2R (at_x hi) <= B2R (at_x hi'))%R ->
+  (B2R (at_y lo') <= B2R (at_y lo))%R -> (B2R (at_y hi) <= B2R (at_y hi'))%R ->
+  (B2R (at_z lo') <= B2R (at_z lo))%R -> (B2R (at_z hi) <= B2R (at_z hi'))%R ->
+  touches_box _ _ b r lo hi = true -> touches_box _ _ b r lo' hi' = true.
 Proof.
-  intros [ox oy oz] [dx dy dz] (Fox & Foy & Foz) (Fdx & Fdy & Fdz) r.
-  repeat apply conj; trivial; eexists; now apply prepare_axis_encloses.
+  intros r lo hi lo' hi' (Hx & Hy & Hz) (Ox & Oy & Oz) (? & ? & ?) (? & ? & ?) (? & ? & ?) (? & ? & ?)
+    Lx Ux Ly Uy Lz Uz.
+  apply passes_monotone; now apply within_monotone.
 Qed.
 
-(** A box that passes lies in no box that does not: if the inner passes, so does the outer. *)
+End Ordered.
+
+(** A box that passes lies in no box that does not: directed operations, a prepared ray. *)
 Theorem touches_box_monotone : forall (o d lo hi lo' hi' : three float),
   finite3 _ _ o -> finite3 _ _ d ->
   finite3 _ _ lo -> finite3 _ _ hi -> finite3 _ _ lo' -> finite3 _ _ hi' ->
@@ -335,12 +376,28 @@ Theorem touches_box_monotone : forall (o d lo hi lo' hi' : three float),
   touches_box _ _ directed (prepare o d) lo hi = true ->
   touches_box _ _ directed (prepare o d) lo' hi' = true.
 Proof.
-  intros o d lo hi lo' hi' Fo Fd (? & ? & ?) (? & ? & ?) (? & ? & ?) (? & ? & ?) Lx Ux Ly Uy Lz Uz.
-  destruct (prepare_ready o d Fo Fd) as ((Cx & Hx) & (Cy & Hy) & (Cz & Hz) & (Ox & Oy & Oz)).
-  apply passes_monotone.
-  - now apply within_monotone with Cx.
-  - now apply within_monotone with Cy.
-  - now apply within_monotone with Cz.
+  intros o d lo hi lo' hi' Fo Fd. destruct (prepare_ordered o d Fo Fd) as [H O].
+  now apply touches_box_ordered.
+Qed.
+
+(** The split of a prepared ray, directed operations: if a child passes, its parent passes. *)
+Theorem child_passes_parent_passes : forall (c : convention) (o d lo mid hi : three float)
+    (at_ : three interval) (ux uy uz : bool),
+  finite3 _ _ o -> finite3 _ _ d -> finite3 _ _ lo -> finite3 _ _ mid -> finite3 _ _ hi ->
+  (B2R (at_x lo) <= B2R (at_x mid) <= B2R (at_x hi))%R ->
+  (B2R (at_y lo) <= B2R (at_y mid) <= B2R (at_y hi))%R ->
+  (B2R (at_z lo) <= B2R (at_z mid) <= B2R (at_z hi))%R ->
+  let r := prepare o d in
+  of_cell directed c (at_x r) (at_x lo) (at_x hi) (at_x at_) ->
+  of_cell directed c (at_y r) (at_y lo) (at_y hi) (at_y at_) ->
+  of_cell directed c (at_z r) (at_z lo) (at_z hi) (at_z at_) ->
+  passes _ _ (half c (at_x r) (at_x at_) (at_x mid) ux) (half c (at_y r) (at_y at_) (at_y mid) uy)
+    (half c (at_z r) (at_z at_) (at_z mid) uz) = true ->
+  passes _ _ (at_x at_) (at_y at_) (at_z at_) = true.
+Proof.
+  intros c o d lo mid hi at_ ux uy uz Fo Fd Fl Fm Fh Lx Ly Lz r.
+  destruct (prepare_ordered o d Fo Fd) as [H O].
+  now apply (split_monotone directed c r lo mid hi at_ ux uy uz).
 Qed.
 
 End Monotone.
@@ -350,4 +407,5 @@ Definition lowb_monotone_binary64 := lowb_monotone 53 1024.
 Definition uppb_monotone_binary64 := uppb_monotone 53 1024.
 Definition half_within_parent_binary64 := half_within_parent 53 1024.
 Definition split_monotone_binary64 := split_monotone 53 1024.
+Definition child_passes_parent_passes_binary64 := child_passes_parent_passes 53 1024.
 Definition touches_box_monotone_binary64 := touches_box_monotone 53 1024.

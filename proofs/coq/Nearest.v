@@ -7,11 +7,12 @@
     - [mul_up_fma_correct]: the product with a fused multiply-add, exact in sign where the product is
       not tiny;
     - [mul_up_integer_correct]: the product without one, whose error is an integer modulo 2^64;
-    - [nearest_is_directed], [never_miss_nearest_binary64]: hence the test over it never misses.
+    - [nearest_is_directed]: hence the backend, whose other operations are these by negation.
 
     The slow paths (exact.hpp: integer arithmetic for what those leave over) are a parameter here,
-    with the hypothesis that they are correctly rounded, which Exact_slow.v discharges if present and
-    the test interval.backends compares with MPFR. *)
+    with the hypothesis that they are correctly rounded; Exact_integer.v proves it and concludes with
+    [never_miss_nearest_binary64]. The step of `up_if`, on the bits, is Flocq's [Bsucc] here; Step.v
+    proves that it is. *)
 From Coq Require Import ZArith Bool Reals Lra Lia SpecFloat FunctionalExtensionality.
 From Flocq Require Import Core BinarySingleNaN Plus_error Mult_error Pff2Flocq.
 From Graze Require Import Model Negation Bounds Never_miss.
@@ -110,7 +111,7 @@ Qed.
 (** The largest finite float, written as overflow towards zero yields it. *)
 Lemma Bmax_is_overflow : B2SF (@Bmax_float prec emax _ _) = binary_overflow prec emax mode_DN false.
 Proof.
-  unfold Bmax_float. rewrite B2SF_SF2B. unfold binary_overflow. cbn [overflow_to_inf]. f_equal.
+  clear prec_more_than_1. unfold Bmax_float. rewrite B2SF_SF2B. unfold binary_overflow. cbn [overflow_to_inf]. f_equal.
   apply Pos2Z.inj.
   assert (E : Z.pos (shift_pos (Z.to_pos prec) 1) = (2 ^ prec)%Z).
   { rewrite shift_pos_correct, Z.mul_1_r. change (Z.pow_pos 2 (Z.to_pos prec)) with (2 ^ Z.pos (Z.to_pos prec))%Z.

@@ -9,7 +9,7 @@
     the exact C (p - q), `uppb` above it, and neither is NaN; so s lies in the interval of each axis,
     and intervals with a common s >= 0 pass.
 
-    - [lowb_encloses], [uppb_encloses]: each bound encloses the exact one;
+    - [lowb_encloses], [uppb_encloses], [bounds_enclose]: each bound encloses the exact one;
     - [lowb_never_nan], [uppb_never_nan], [within_never_nan]: and is never NaN;
     - [half_encloses]: the same of the split of octree/include/graze/octree/sound.hpp;
     - [never_miss], [never_miss_upward], [never_miss_owned] for every format; [never_miss_backend] for
@@ -149,6 +149,21 @@ Proof.
   - rewrite mul_up_by_negation. apply above_opposite.
     rewrite <- Ex, <- Ey, Ropp_mult_distr_l, <- B2R_Bopp.
     apply greatest_is_below, mul_down_greatest; trivial. now rewrite is_finite_Bopp.
+Qed.
+
+(** Both bounds of a prepared axis enclose C (p - q), with C the exact product of the other two
+    components' magnitudes, and neither is NaN: for every finite input. *)
+Theorem bounds_enclose : forall o d other1 other2 p q : float,
+  is_finite other1 = true -> is_finite other2 = true -> is_finite p = true -> is_finite q = true ->
+  let a := prepare_axis o d other1 other2 in
+  let exact := (magnitude (B2R other1) * magnitude (B2R other2) * (B2R p - B2R q))%R in
+  below (lowb a p q) exact /\ above (uppb a p q) exact /\
+  is_nan (lowb a p q) = false /\ is_nan (uppb a p q) = false.
+Proof.
+  intros o d x y p q Fx Fy Fp Fq a exact.
+  pose proof (prepare_axis_encloses o d x y Fx Fy) as H. fold a in H.
+  pose proof (lowb_encloses a _ p q H Fp Fq) as L. pose proof (uppb_encloses a _ p q H Fp Fq) as U.
+  repeat split; trivial; [now apply below_not_nan in L | now apply above_not_nan in U].
 Qed.
 
 (** s is within the interval, as far as the interval's bounds say; both say something. *)
@@ -432,6 +447,7 @@ Theorem never_miss_upward_binary64 : forall o d lo hi : three (float 53 1024),
 Proof. exact (never_miss_upward 53 1024). Qed.
 
 Definition never_miss_owned_binary64 := never_miss_owned 53 1024.
+Definition bounds_enclose_binary64 := bounds_enclose 53 1024.
 Definition lowb_encloses_binary64 := lowb_encloses 53 1024.
 Definition uppb_encloses_binary64 := uppb_encloses 53 1024.
 Definition within_never_nan_binary64 := within_never_nan 53 1024.
