@@ -3,9 +3,8 @@
     four products, taken in groups from the highest exponents down, each group in 512 bits of two's
     complement, has the sign that is returned, whatever the gaps of the exponents.
 
-    OPEN: the eight 64-bit limbs of sign_of_close_sum (placing, complement, carries) are taken as
-    addition modulo 2^512; that the chain of limbs computes it is not proved, nothing but the writing
-    stands in its way. *)
+    The eight 64-bit limbs of sign_of_close_sum are taken as addition modulo 2^512: Limbs.v proves
+    the chain of carries and complements, and says what is open (where a term's limbs are placed). *)
 From Coq Require Import ZArith Bool List Lia Permutation.
 From Graze Require Import Determinant_sign.
 Import ListNotations.
