@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Holds proofs/CLAIMS.md against the repository: check_claims.py ROOT [--ctest CTEST --build DIR]
 
-- every guarantee in README.md and docs/*.md bears an anchor, an HTML comment "claim: id ..."; a
-  paragraph that promises in so many words and has none is reported ("no claim" in a comment exempts);
+- every guarantee in README.md and docs/*.md bears an anchor, an HTML comment "claim: id ...", in its
+  paragraph, or right under its section's heading; a paragraph that promises in so many words and has
+  none is reported ("no claim" in a comment exempts);
 - every anchor has a row, and every row an anchor;
 - every row's targets are there: its files, the names in backticks after a file in that file, the
-  theorems File.name in proofs/coq, the other files of its proof, the tests in `ctest -N`.
+  theorems File.name in proofs/coq (those of docs/proofs.md too), the other files of its proof, the tests in `ctest -N`.
 --self-test: each kind of broken row, made on purpose, is found. Exit codes: 0, 1.
 """
 import argparse
@@ -77,7 +78,7 @@ def code_problems(root, cell):
 
 def proof_problems(root, cell):
     for file, name in re.findall(r"\b([A-Z]\w*)\.([\w']+)", cell):
-        if file in ("README", "CLAIMS") or name in ("md",):
+        if name == "v":
             continue
         path = root / "proofs" / "coq" / f"{file}.v"
         if not path.exists():
@@ -109,13 +110,20 @@ def problems(root, claims, texts, names):
     found, seen, anchored = [], set(), set()
     table = rows(claims)
     for path, text in texts.items():
+        if path.name == "proofs.md":
+            # Its code spans name theorems in full, or a family by `name_...`.
+            spans = re.findall(r"`([A-Z]\w*\.[a-z][\w']*)`", text)
+            found += [f"{path}: {p}" for p in proof_problems(root, " ".join(spans))]
+        section = False  # whether the heading above bears an anchor
         for line, block in blocks(text):
+            if block.startswith("#"):
+                section = re.match(r"#+ .*\s+<!-- claim: [^>]*-->", block) is not None
             ids = [i for anchor in ANCHOR.findall(block) for i in anchor.split()]
             anchored |= set(ids)
             known = {row["id"] for row in table}
             found += [f"{path}:{line}: claim {i} has no row in CLAIMS.md" for i in ids if i not in known]
             promise = PROMISE.search(block)
-            if promise and not ids and "<!-- no claim -->" not in block and not block.startswith("    "):
+            if promise and not ids and not section and "<!-- no claim -->" not in block and not block.startswith("    "):
                 found.append(f"{path}:{line}: '{promise.group(0)}' promises, and has no claim beside it")
     for row in table:
         who = f"CLAIMS.md:{row['line']}: {row['id']}: "
@@ -168,7 +176,7 @@ def main():
     claims = (root / "proofs" / "CLAIMS.md").read_text()
     texts = {path.relative_to(root): path.read_text() for path in documents(root)}
     listed = subprocess.run([arguments.ctest, "-N"], cwd=arguments.build, text=True, capture_output=True)
-    names = re.findall(r"^\s*Test\s+#\d+: (.*)$", listed.stdout, re.M)
+    names = re.findall(r"^\s*Test\s+#\d+:\s+(.*)$", listed.stdout, re.M)
     if arguments.self_test:
         return self_test(root, claims, texts, names)
     found = problems(root, claims, texts, names)
