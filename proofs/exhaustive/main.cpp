@@ -15,6 +15,7 @@
 #include <graze/exhaustive/tiny_float.hpp>
 #include <graze/octree/ray_bounds.hpp>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 using namespace graze;
@@ -161,11 +162,14 @@ template <int Precision, int Emin, int Emax> struct run_of {
     const auto values = tiny::finite();
     const std::uint64_t n = values.size(), all = n * n * n;
     const std::uint64_t count = wanted == 0 || wanted > all ? all : wanted;
+    // Spread over all directions, each once: a step of about the golden section, coprime to them.
+    auto step = static_cast<std::uint64_t>(0.618 * static_cast<double>(all));
+    while (std::gcd(step, all) != 1)
+      ++step;
     tally sum;
     const auto started = std::chrono::steady_clock::now();
     for (std::uint64_t i = 0; i < count; ++i) {
-      // Spread evenly over all directions.
-      const std::uint64_t index = i * all / count;
+      const std::uint64_t index = i * step % all;
       const tiny d[] = {values[index % n], values[index / n % n], values[index / n / n]};
       if (d[0].value != 0 || d[1].value != 0 || d[2].value != 0)
         try_direction<Method>(values, d[0], d[1], d[2], sum);

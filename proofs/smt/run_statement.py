@@ -14,6 +14,7 @@ import importlib.metadata
 import math
 import os
 import re
+import resource
 import struct
 import subprocess
 import sys
@@ -179,7 +180,12 @@ def main():
     started = time.monotonic()
     try:
         done = subprocess.run([sys.executable, __file__, arguments.solver, arguments.file, "--solve"],
-                              text=True, capture_output=True, timeout=arguments.seconds)
+                              text=True, capture_output=True, timeout=10 * arguments.seconds,
+                              # Seconds of the processor: a busy machine changes no verdict.
+                              preexec_fn=lambda: resource.setrlimit(
+                                  resource.RLIMIT_CPU, (arguments.seconds, arguments.seconds)))
+        if done.returncode < 0:
+            raise subprocess.TimeoutExpired(done.args, arguments.seconds)
     except subprocess.TimeoutExpired:
         print(f"{arguments.solver}: unknown, nothing after {arguments.seconds} s: not proved")
         return 77 if foretold else 1
