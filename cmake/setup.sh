@@ -5,6 +5,8 @@ graze_packages=(
   libboost-dev libmpfr-dev libgmp-dev catch2 librapidcheck-dev libopenimageio-dev
   libtbb-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev
   clang-19 libclang-rt-19-dev
+  coq libcoq-flocq ocaml-nox ocaml-findlib libzarith-ocaml-dev gappa
+  python3 python3-venv
 )
 
 # Cargo fetches the pinned sources of CORE-MATH and CRlibm. Debian's own cargo (1.65) is too old for
@@ -41,6 +43,25 @@ graze_install() {
     exit 1
   fi
   rm -f "$log"
+}
+
+# Installs the SMT solvers, pinned and by hash, in build/solvers; at once when they are there. Without
+# them the tests that ask them count as skipped.
+graze_install_solvers() {
+  local pinned=proofs/smt/requirements.txt venv=build/solvers
+  cmp -s "$pinned" "$venv/requirements.txt" && return 0
+  echo "installing: the SMT solvers of $pinned"
+  mkdir -p build
+  rm -rf "$venv"
+  local log=build/solvers.log
+  if /usr/bin/python3 -m venv "$venv" >"$log" 2>&1 &&
+     "$venv/bin/pip" install --disable-pip-version-check --require-hashes --only-binary :all: \
+       -r "$pinned" >>"$log" 2>&1; then
+    cp "$pinned" "$venv/requirements.txt"
+  else
+    tail -n 5 "$log" >&2
+    echo "the SMT solvers could not be installed: their tests count as skipped" >&2
+  fi
 }
 
 # graze_build PRESET [TARGET...]: configures and builds build/PRESET, all of it by default. In CI
