@@ -5,6 +5,7 @@
 #include <graze/fuzz/lasting_campaign.hpp>
 #include <graze/fuzz/report.hpp>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 namespace graze::fuzz {
 
@@ -26,8 +27,9 @@ std::vector<std::pair<std::string, campaign_state::known_finding>>
 sorted_findings(const merged_campaign& m) {
   std::vector<std::pair<std::string, campaign_state::known_finding>> all(m.state.findings.begin(),
                                                                          m.state.findings.end());
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.second.kind, a.second.ray) < std::pair(b.second.kind, b.second.ray);
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.second.kind, a.second.ray, a.first) <
+           std::tie(b.second.kind, b.second.ray, b.first);
   });
   return all;
 }

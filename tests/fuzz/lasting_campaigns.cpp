@@ -274,3 +274,17 @@ TEST_CASE("graze-fuzz campaign: a budget of time is that of all starts together"
   // the clock may have reached the budget just after the last piece
   CHECK(ending_of(folder).rays <= rays + 1000);
 }
+
+TEST_CASE("graze-fuzz run: ranges of rays add up", "[unit]") {
+  const auto found = [](const std::string& range) {
+    const outcome o = call("run --json --traversal published --level 1-50 --seed 5 " + range);
+    CHECK(o.code == 1);
+    const auto object = nlohmann::json::parse(o.out);
+    return std::pair(object["rays"].get<int>(), object["gaps"].get<int>());
+  };
+  const auto whole = found("--rays 5000"), first = found("--rays 1500"),
+             rest = found("--first-ray 1500 --rays 3500");
+  CHECK(first.first + rest.first == whole.first);
+  CHECK(first.second + rest.second == whole.second);
+  refused("run --first-ray -1", "--first-ray");
+}
