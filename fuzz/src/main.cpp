@@ -2,12 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <graze/fuzz/campaign_command.hpp>
+#include <graze/fuzz/campaign_store.hpp>
 #include <graze/fuzz/replay.hpp>
 #include <graze/fuzz/report.hpp>
 #include <thread>
@@ -41,6 +42,7 @@ struct run_options {
   std::string level = "50";
   double seconds = 0;
   std::uint64_t rays = 0;
+  std::uint64_t first_ray = 0;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::string save;
@@ -83,25 +85,6 @@ bool save_line(const std::string& path, const std::string& line) {
   return !error;
 }
 
-/// "A" or "A-B", 1 <= A <= B <= 53.
-bool read_levels(std::string_view text, campaign_plan& plan) {
-  const auto number = [&text](int& n) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return error == std::errc();
-  };
-  if (!number(plan.level))
-    return false;
-  plan.last_level = plan.level;
-  if (text.starts_with('-')) {
-    text.remove_prefix(1);
-    if (!number(plan.last_level))
-      return false;
-  }
-  return text.empty() && 1 <= plan.level && plan.level <= plan.last_level &&
-         plan.last_level <= graze::octree::max_level;
-}
-
 int run(const run_options& options) {
   campaign_plan plan;
   plan.under_test = find_traversal(options.traversal);
@@ -136,6 +119,7 @@ int run(const run_options& options) {
   plan.seed = options.seed;
   plan.threads = options.threads;
   plan.rays = options.rays;
+  plan.first_ray = options.first_ray;
   plan.seconds = options.seconds == 0 && options.rays == 0 ? 5 : options.seconds;
 
   const bool progress = options.progress || isatty(STDERR_FILENO) != 0;
@@ -238,6 +222,9 @@ int main(int argc, char** argv) {
   run_command->add_option("--seconds", run_with.seconds,
                           "Budget of time (5, if no budget is given)");
   run_command->add_option("--rays", run_with.rays, "Budget of rays")->check(not_negative);
+  run_command->add_option("--first-ray", run_with.first_ray, "Number of the first ray")
+      ->check(not_negative)
+      ->capture_default_str();
   run_command->add_option("--seed", run_with.seed, "Ray k of a seed is always the same ray")
       ->check(not_negative)
       ->capture_default_str();
@@ -257,6 +244,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   replay_command->add_flag("--json", replay_with.json, "Print one JSON object a line");
 
+  const campaign_commands campaigns(app);
+
   CLI::App* list_command = app.add_subcommand("list", "Names of traversals and generators");
 
   try {
@@ -272,6 +261,8 @@ int main(int argc, char** argv) {
     return run(run_with);
   if (replay_command->parsed())
     return replay_file(replay_with);
+  if (const auto code = campaigns.run())
+    return *code;
   if (list_command->parsed())
     return list();
   return 2;
