@@ -1,5 +1,5 @@
 #pragma once
-/// Makes a failing trial small: few octants, few levels, few significant bits.
+/// Makes a failing trial small: few octants, few levels, few significant bits, and integers.
 #include <functional>
 #include <graze/fuzz/properties.hpp>
 #include <vector>
@@ -10,7 +10,8 @@ namespace graze::fuzz {
 struct complexity {
   int octants; ///< octants of the block
   int level;   ///< levels to descend
-  int bits;    ///< significant bits, exponents and signs of the ray and of the octant's place
+  int bits;    ///< significant bits, signs and far exponents of the ray, the root and the place
+  int places;  ///< binary digits before the point and, three times as dear, behind it
   friend auto operator<=>(const complexity&, const complexity&) = default;
 };
 complexity complexity_of(const trial& t);
