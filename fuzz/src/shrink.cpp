@@ -284,6 +284,10 @@ complexity complexity_of(const trial& t) {
     digits(t.plane(static_cast<int>(a), 0));
   }
   digits(t.size());
+  if (t.size() > 0 && std::isfinite(t.size())) { // integers, but not octants of 2^53
+    const int exponent = std::ilogb(t.size());
+    c.places += exponent * exponent;
+  }
   return c;
 }
 

@@ -12,7 +12,8 @@ struct complexity {
   int octants; ///< octants of the block
   int level;   ///< levels to descend
   int bits;    ///< significant bits, signs and far exponents of the ray, the root and the place
-  int places;  ///< binary digits before the point and, three times as dear, behind it
+  int places;  ///< binary digits before the point and, three times as dear, behind it; and how
+               ///< far the octant's size is from 1
   friend auto operator<=>(const complexity&, const complexity&) = default;
 };
 complexity complexity_of(const trial& t);
