@@ -11,6 +11,7 @@
 #include <graze/fuzz/campaign_store.hpp>
 #include <graze/fuzz/replay.hpp>
 #include <graze/fuzz/report.hpp>
+#include <graze/fuzz/reproducer.hpp>
 #include <thread>
 #include <unistd.h>
 
@@ -32,6 +33,7 @@ Examples:
   graze-fuzz run --traversal published --level 50       finds a ray that misses an octant
   graze-fuzz run --traversal gargantini --save miss.jsonl
   graze-fuzz replay miss.jsonl --traversal gargantini   says again, by rationals, what is missed
+  graze-fuzz run --traversal published --reproducer out what a maintainer is handed: text, C++, SVG
   graze-fuzz list
 
 Exit code: 0 nothing found, 1 a finding, 2 bad input.)";
@@ -46,6 +48,7 @@ struct run_options {
   std::uint64_t seed = 1;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::string save;
+  std::string reproducer; ///< a folder
   bool json = false;
   bool progress = false;
 };
@@ -53,6 +56,7 @@ struct run_options {
 struct replay_options {
   std::string file;
   std::string traversal = "sound";
+  std::string reproducer; ///< a folder
   bool json = false;
 };
 
@@ -116,6 +120,9 @@ int run(const run_options& options) {
         std::filesystem::is_directory(path, error))
       return bad_input(fmt::format("cannot write {}", options.save));
   }
+  if (!options.reproducer.empty())
+    if (const std::string why = refusal_of_folder(options.reproducer); !why.empty())
+      return bad_input(why);
   plan.seed = options.seed;
   plan.threads = options.threads;
   plan.rays = options.rays;
@@ -147,6 +154,14 @@ int run(const run_options& options) {
   }
   if (found && !options.save.empty() && !save_line(options.save, to_json_line(found->shrunk)))
     return bad_input(fmt::format("cannot write {}", options.save));
+  if (found && !options.reproducer.empty()) {
+    const auto written = write_reproducer(
+        reproduction_of(found->shrunk, *plan.under_test->make(), found->kind), options.reproducer);
+    if (!written)
+      return bad_input(written.reason());
+    if (!options.json)
+      fmt::print("reproducer: {}.json .txt .cpp .svg\n", *written);
+  }
   return found ? 1 : 0;
 }
 
@@ -160,6 +175,9 @@ int replay_file(const replay_options& options) {
   const auto cases = read_replay_file(options.file);
   if (!cases)
     return bad_input(cases.reason());
+  if (!options.reproducer.empty())
+    if (const std::string why = refusal_of_folder(options.reproducer); !why.empty())
+      return bad_input(why);
   const auto under_test = entry->make();
   bool any = false;
   for (const replay_case& c : *cases) {
@@ -167,6 +185,13 @@ int replay_file(const replay_options& options) {
     any = any || r.findings != 0 || !r.oracles_agree;
     if (!r.oracles_agree)
       fmt::print(stderr, "graze-fuzz: line {}: the two oracles disagree: a bug of graze\n", c.line);
+    std::string written;
+    if (r.findings != 0 && !options.reproducer.empty()) {
+      const auto path = write_reproducer(c.at, *under_test, worst(r.findings), options.reproducer);
+      if (!path)
+        return bad_input(path.reason());
+      written = fmt::format("; reproducer: {}.json .txt .cpp .svg", *path);
+    }
     if (options.json) {
       fmt::print("{}\n", to_json_line(c, r, entry->name));
       continue;
@@ -175,9 +200,9 @@ int replay_file(const replay_options& options) {
     for (unsigned k = 0; k < finding_kinds; ++k)
       if ((r.findings >> k & 1) != 0)
         findings += fmt::format(" {}", name_of(static_cast<finding>(k)));
-    fmt::print("line {}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}\n", c.line,
+    fmt::print("line {}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}{}\n", c.line,
                yes(r.touches != 0), yes(r.crosses != 0), yes(r.owns != 0), entry->name,
-               yes(r.visited != 0), findings.empty() ? " none" : findings);
+               yes(r.visited != 0), findings.empty() ? " none" : findings, written);
   }
   return any ? 1 : 0;
 }
@@ -231,6 +256,9 @@ int main(int argc, char** argv) {
   run_command->add_option("--threads", run_with.threads, "Threads")->capture_default_str();
   run_command->add_option("--save", run_with.save,
                           "Write the shrunk counterexample to this replay file");
+  const char* const folder =
+      "Write the shrunk counterexample to this folder: replay line, text, C++ snippet, picture";
+  run_command->add_option("--reproducer", run_with.reproducer, folder);
   run_command->add_flag("--json", run_with.json, "Print one JSON object");
   run_command->add_flag("--progress", run_with.progress,
                         "Show progress even if stderr is not a terminal");
@@ -242,6 +270,7 @@ int main(int argc, char** argv) {
       ->required();
   replay_command->add_option("--traversal", replay_with.traversal, "What is under test")
       ->capture_default_str();
+  replay_command->add_option("--reproducer", replay_with.reproducer, folder);
   replay_command->add_flag("--json", replay_with.json, "Print one JSON object a line");
 
   const campaign_commands campaigns(app);
