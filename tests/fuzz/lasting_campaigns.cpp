@@ -43,7 +43,7 @@ ending ending_of(const std::string& folder) {
   return e;
 }
 
-const std::string searched = " --traversal published --level 40 --rays 200500 --piece 1000 "
+const std::string searched = " --traversal published --level 40 --rays 80500 --piece 1000 "
                              "--seed 7 --threads 2 --generator vertex,edge-1,mid-plane";
 
 /// Starts a campaign and kills it; false when it had ended before.
@@ -72,8 +72,8 @@ TEST_CASE("graze-fuzz campaign: killed ten times, it ends as if undisturbed", "[
   const auto whole =
       std::chrono::duration_cast<std::chrono::microseconds>(steady_clock::now() - start);
   const ending undisturbed = ending_of(dir / "undisturbed");
-  CHECK(undisturbed.rays == 200'500);
-  CHECK(undisturbed.pieces.size() == 201);
+  CHECK(undisturbed.rays == 80'500);
+  CHECK(undisturbed.pieces.size() == 81);
   CHECK_FALSE(undisturbed.findings.empty());
 
   random_stream random(2026, 6);
@@ -102,7 +102,7 @@ TEST_CASE("graze-fuzz campaign: a line that was cut off is as if never written",
     std::filesystem::resize_file(progress, cut);
     campaign_state state;
     REQUIRE(read_campaign(folder, state));
-    CHECK(state.finished.size() == 200);
+    CHECK(state.finished.size() == 80);
     const outcome o = call("campaign " + folder);
     CHECK(o.code == 1);
     CHECK(o.out.find("goes on after") != std::string::npos);
@@ -110,9 +110,9 @@ TEST_CASE("graze-fuzz campaign: a line that was cut off is as if never written",
   }
   // a whole line that is wrong is not passed over
   std::ofstream(progress) << lines.substr(0, last) << "{\"piece\":\n" << lines.substr(last);
-  refused("campaign " + folder, "progress.jsonl:201: not JSON");
-  std::ofstream(progress) << "{\"piece\":201,\"elapsed\":0,\"counts\":[],\"findings\":[]}\n";
-  refused("campaign " + folder, "progress.jsonl:1: piece 201 is not of this plan");
+  refused("campaign " + folder, "progress.jsonl:81: not JSON");
+  std::ofstream(progress) << "{\"piece\":81,\"elapsed\":0,\"counts\":[],\"findings\":[]}\n";
+  refused("campaign " + folder, "progress.jsonl:1: piece 81 is not of this plan");
   std::ofstream(progress) << "{\"piece\":0,\"elapsed\":0,\"counts\":[],\"findings\":[]}\n";
   refused("summary " + folder, "progress.jsonl:1: its counts are not of this plan");
   // a line that is there twice counts once
@@ -208,12 +208,12 @@ TEST_CASE("graze-fuzz campaign: shards together are the whole, each piece once",
     return object;
   };
   const auto whole = json_of(" " + (dir / "whole"));
-  CHECK(whole["rays"] == 200'500);
+  CHECK(whole["rays"] == 80'500);
   CHECK(json_of(folders) == whole);
   CHECK(json_of(folders + folders + " " + (dir / "whole")) == whole);
 
   const std::string page = content(dir / "page.html");
-  for (const char* part : {"mid-plane", "200500", "href=\"shard1/findings/"})
+  for (const char* part : {"mid-plane", "80500", "href=\"shard1/findings/"})
     CHECK(page.find(part) != std::string::npos);
   CHECK(page.find("http") == std::string::npos);
 }
@@ -231,9 +231,9 @@ TEST_CASE("graze-fuzz campaign: its findings replay, and are named by their cont
     ++events[last["event"]];
   }
   CHECK(events["start"] == 1);
-  CHECK(events["piece"] == 201);
+  CHECK(events["piece"] == 81);
   CHECK(events["end"] == 1);
-  CHECK(last["rays"] == 200'500);
+  CHECK(last["rays"] == 80'500);
   CHECK(last["seed"] == 7);
   CHECK(last["generators"].size() == 3);
   const ending e = ending_of(folder);
