@@ -50,7 +50,7 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
   const auto under_test = plan.under_test->make();
   std::optional<counterexample> simplest;
   using clock = std::chrono::steady_clock;
-  const auto end = clock::now() + std::chrono::seconds(20); // see shrink()
+  const auto end = clock::now() + std::chrono::seconds(10); // see shrink()
   for (const auto& of_generator : result.first) {
     const auto& ray = of_generator[static_cast<unsigned>(*kind)];
     if (!ray || (simplest && clock::now() >= end))

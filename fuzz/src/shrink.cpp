@@ -228,7 +228,7 @@ trial shrink(const trial& failing, const std::function<bool(const trial&)>& stil
 trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations) {
   // a traversal in another process may take seconds for a ray; others are done long before
   using clock = std::chrono::steady_clock;
-  const auto end = clock::now() + std::chrono::seconds(20);
+  const auto end = clock::now() + std::chrono::seconds(10);
   return shrink(
       failing,
       [&](const trial& t) {
