@@ -2,7 +2,6 @@
 #include <array>
 #include <charconv>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/fuzz/campaign_command.hpp>
@@ -10,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <unistd.h>
+
+#include "program.hpp"
 
 namespace graze::fuzz {
 
@@ -32,14 +33,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 using clock = std::chrono::steady_clock;
-
-std::atomic<bool> stopped{false};
-
-int bad_input(std::string why) {
-  std::replace(why.begin(), why.end(), '\n', ' ');
-  fmt::print(stderr, "graze-fuzz: {}\n", why);
-  return 2;
-}
 
 /// "i/N", 1 <= i <= N.
 bool read_shard(std::string_view text, stored_plan& plan) {
@@ -132,9 +125,7 @@ int campaign(campaign_options& options) {
   if (!plan)
     return bad_input(plan.reason());
 
-  const auto on_signal = [](int) { stopped.store(true); };
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  listen_for_interrupts();
   const stored_plan& stored = store->plan();
   const std::uint64_t rays_before = store->state().total().rays;
   const double seconds_before = store->state().elapsed;
@@ -181,12 +172,12 @@ int campaign(campaign_options& options) {
       line["ray"] = s.ray;
       fmt::print("{}\n", line.dump());
     };
-  std::string failure = run_lasting(*store, *plan, options.threads, stopped, listener);
+  std::string failure = run_lasting(*store, *plan, options.threads, interrupted, listener);
   if (progress)
     fmt::print(stderr, "\r\x1b[K");
   if (!failure.empty())
     return bad_input(std::move(failure));
-  if (stopped.load() && !options.json)
+  if (interrupted.load() && !options.json)
     fmt::print("interrupted; goes on with: graze-fuzz campaign {}\n", store->folder());
   return tell({store->folder()}, store->folder() + "/summary.html", options.json);
 }
@@ -196,12 +187,6 @@ int campaign(campaign_options& options) {
 campaign_commands::campaign_commands(CLI::App& app)
     : options_(std::make_unique<campaign_options>()) {
   campaign_options& o = *options_;
-  // the parser takes -5 for an unsigned number and wraps it
-  const CLI::Validator not_negative(
-      [](std::string& text) {
-        return text.starts_with('-') ? text + " is negative" : std::string();
-      },
-      "", "not negative");
   CLI::App* c = o.campaign =
       app.add_subcommand("campaign", "Search for long; killed at any time, goes on where it was");
   c->footer(R"(
@@ -219,15 +204,15 @@ Exit code: 0 nothing found, 1 a finding, 2 bad input or a folder that cannot be 
   c->add_option("--generator", o.generators, "Names of generators, or all (the default)")
       ->delimiter(',');
   c->add_option("--seed", o.plan.seed, "Ray k of a seed is always the same ray")
-      ->check(not_negative)
+      ->check(not_negative())
       ->capture_default_str();
   c->add_option("--rays", o.plan.rays, "Budget of rays, all shards together (default: no limit)")
-      ->check(not_negative);
+      ->check(not_negative());
   c->add_option("--seconds", o.plan.seconds,
                 "Budget of time, all starts together (default: no limit)");
   c->add_option("--shard", o.shard, "i/N: every N-th piece, from the i-th on");
   c->add_option("--piece", o.plan.piece, "Rays of a piece: what a kill can cost a thread")
-      ->check(not_negative)
+      ->check(not_negative())
       ->capture_default_str();
   c->add_option("--threads", o.threads, "Threads")->capture_default_str();
   c->add_flag("--json", o.json, "Print JSON lines: start, piece, finding, end");

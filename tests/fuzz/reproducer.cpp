@@ -4,6 +4,7 @@
 #include "campaign_of.hpp"
 #include <boost/property_tree/xml_parser.hpp>
 #include <functional>
+#include <graze/fuzz/number.hpp>
 #include <graze/fuzz/reproducer.hpp>
 #include <graze/fuzz/shrink.hpp>
 #include <optional>
@@ -135,6 +136,39 @@ TEST_CASE("fuzz.reproducer: the text says root, level, ray, octant, miss and jud
         "agrees", "graze-fuzz replay published-crossed-miss-"})
     CHECK(text.find(part) != std::string::npos);
   CHECK(std::count(text.begin(), text.end(), '\n') <= 12);
+}
+
+TEST_CASE("fuzz.reproducer: a finding on the ray that was received is told about that ray",
+          "[regression]") {
+  struct in_floats final : traversal {
+    [[nodiscard]] std::string_view name() const override { return "in-floats"; }
+    [[nodiscard]] promise promises() const override { return promise::crossed; }
+    void visit(const trial& t, visited& out) override {
+      const auto rounded = [](const vec3& v) {
+        return vec3{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+      };
+      out.receive({rounded(t.origin), rounded(t.direction)}); // and visits nothing
+    }
+  } under_test;
+  std::string all;
+  unsigned told = 0;
+  for (const auto& [t, kind] : findings_of(under_test, 10, 20)) {
+    const reproduction r = reproduction_of(t, under_test, kind);
+    if (r.answered == t || (r.judged.touches >> r.subject & 1) == 0)
+      continue;
+    CHECK(reproducer_json(r).find(hex(t.origin[0])) != std::string::npos);
+    CHECK(reproducer_text(r).find("given ") != std::string::npos);
+    all += reproducer_snippet(r); // its claim is about r.answered
+    ++told;
+  }
+  CHECK(told > 10);
+  if (!compiler_is_there())
+    return;
+  const scratch dir;
+  std::ofstream(dir / "all.cpp") << all;
+  const auto compiled = syntax(dir / "all.cpp");
+  INFO(compiled.err);
+  CHECK(compiled.code == 0);
 }
 
 TEST_CASE("fuzz.reproducer: the snippet is the committed one, which is compiled with the tests",
