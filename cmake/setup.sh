@@ -1,7 +1,7 @@
 # Sourced by ./run and ./check: installs Debian's packages and builds a preset.
 
 graze_packages=(
-  gcc g++ cmake ninja-build
+  gcc g++ cmake ninja-build make
   libboost-dev libmpfr-dev libgmp-dev catch2 librapidcheck-dev libopenimageio-dev
   libtbb-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev
   clang-19 libclang-rt-19-dev

@@ -24,8 +24,13 @@ void keep_lower(std::optional<std::uint64_t>& lowest, std::uint64_t ray) {
 constexpr finding_set misses_and_gaps =
     bit(finding::crossed_miss) | bit(finding::gap) | bit(finding::miss);
 
+constexpr finding_set faults_of_answers =
+    bit(finding::crash) | bit(finding::hang) | bit(finding::not_a_number) | bit(finding::malformed);
+
 /// Rays are handed out in pieces of this many.
 constexpr std::uint64_t piece = 1024;
+/// A traversal is asked this many at a time.
+constexpr std::size_t asked_at_once = 64;
 
 /// What the threads share.
 struct shared_state {
@@ -48,13 +53,11 @@ void work(shared_state& shared) {
   std::vector<counts> by_generator(kinds);
   decltype(campaign_result::first) first(kinds);
   std::optional<double> first_miss;
-  visited said;
+  std::vector<trial> asked(asked_at_once);
+  std::vector<visited> said(asked_at_once);
 
-  const auto one = [&](std::uint64_t ray) {
-    const trial t = trial_of(plan, ray);
-    said.clear();
-    under_test->visit(t, said);
-    const verdict v = judge(t, truth_of(t), said, under_test->promises());
+  const auto one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
+    const verdict v = judge_answer(t, answer, under_test->promises());
     by_generator[ray % kinds].add(v);
     if (v.findings == 0)
       return;
@@ -65,15 +68,31 @@ void work(shared_state& shared) {
         keep_lower(first[ray % kinds][k], ray);
   };
 
-  while (!shared.stop.load(std::memory_order_relaxed) &&
-         (plan.seconds == 0 || since(shared.start) < plan.seconds)) {
+  const auto expired = [&] {
+    return shared.stop.load(std::memory_order_relaxed) ||
+           (plan.seconds != 0 && since(shared.start) >= plan.seconds);
+  };
+  while (!expired()) {
     const std::uint64_t from = shared.next.fetch_add(piece);
     if (plan.rays != 0 && from >= plan.rays)
       break;
     const std::uint64_t to = plan.rays != 0 ? std::min(from + piece, plan.rays) : from + piece;
-    for (std::uint64_t k = from; k < to; ++k)
-      one(plan.first_ray + k);
-    shared.done.fetch_add(to - from, std::memory_order_relaxed);
+    // a traversal in another process may be slow: what is left of a piece is dropped in time
+    for (std::uint64_t k = from; k < to && (k == from || !expired());) {
+      const std::size_t count = std::min<std::uint64_t>(asked_at_once, to - k);
+      for (std::size_t i = 0; i < count; ++i)
+        asked[i] = trial_of(plan, plan.first_ray + k + i);
+      std::size_t answered = 0;
+      while (answered < count && (answered == 0 || !expired())) {
+        const std::size_t some =
+            under_test->visit_some(std::span(asked).subspan(answered, count - answered),
+                                   std::span(said).subspan(answered));
+        for (const std::size_t end = answered + some; answered < end; ++answered)
+          one(plan.first_ray + k + answered, asked[answered], said[answered]);
+      }
+      k += answered;
+      shared.done.fetch_add(answered, std::memory_order_relaxed);
+    }
   }
 
   const std::lock_guard lock(shared.merging);
@@ -93,6 +112,10 @@ void work(shared_state& shared) {
 
 void counts::add(const verdict& v) {
   ++rays;
+  if (v.declined)
+    ++declined;
+  if ((v.findings & faults_of_answers) != 0)
+    ++faults;
   touched += size_of(v.touched);
   misses += size_of(v.missed);
   rays_with_miss += v.missed != 0 ? 1 : 0;
@@ -125,6 +148,8 @@ counts& counts::operator+=(const counts& other) {
   order_errors += other.order_errors;
   revisits += other.revisits;
   findings += other.findings;
+  faults += other.faults;
+  declined += other.declined;
   return *this;
 }
 

@@ -13,6 +13,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include "command_options.hpp"
+
 namespace {
 
 using namespace graze::fuzz;
@@ -31,6 +33,7 @@ Examples:
   graze-fuzz run --traversal published --level 50       finds a ray that misses an octant
   graze-fuzz run --traversal gargantini --save miss.jsonl
   graze-fuzz replay miss.jsonl --traversal gargantini   says again, by rationals, what is missed
+  graze-fuzz run --command "python3 my_traversal.py"    a traversal of your own: docs/adapters.md
   graze-fuzz list
 
 Exit code: 0 nothing found, 1 a finding, 2 bad input.)";
@@ -44,6 +47,7 @@ struct run_options {
   std::uint64_t seed = 1;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::string save;
+  command_options command;
   bool json = false;
   bool progress = false;
 };
@@ -51,6 +55,7 @@ struct run_options {
 struct replay_options {
   std::string file;
   std::string traversal = "sound";
+  command_options command;
   bool json = false;
 };
 
@@ -104,10 +109,6 @@ bool read_levels(std::string_view text, campaign_plan& plan) {
 
 int run(const run_options& options) {
   campaign_plan plan;
-  plan.under_test = find_traversal(options.traversal);
-  if (plan.under_test == nullptr)
-    return bad_input(
-        fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", options.traversal));
   for (const std::string& name : options.generators) {
     if (name == "all") {
       for (const generator& g : generators())
@@ -133,6 +134,10 @@ int run(const run_options& options) {
         std::filesystem::is_directory(path, error))
       return bad_input(fmt::format("cannot write {}", options.save));
   }
+  const auto entry = chosen_traversal(options.traversal, options.command, false);
+  if (!entry)
+    return bad_input(entry.reason());
+  plan.under_test = &*entry;
   plan.seed = options.seed;
   plan.threads = options.threads;
   plan.rays = options.rays;
@@ -169,13 +174,12 @@ int run(const run_options& options) {
 std::string yes(bool b) { return b ? "yes" : "no"; }
 
 int replay_file(const replay_options& options) {
-  const traversal_entry* entry = find_traversal(options.traversal);
-  if (entry == nullptr)
-    return bad_input(
-        fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", options.traversal));
   const auto cases = read_replay_file(options.file);
   if (!cases)
     return bad_input(cases.reason());
+  const auto entry = chosen_traversal(options.traversal, options.command, true);
+  if (!entry)
+    return bad_input(entry.reason());
   const auto under_test = entry->make();
   bool any = false;
   for (const replay_case& c : *cases) {
@@ -191,6 +195,10 @@ int replay_file(const replay_options& options) {
     for (unsigned k = 0; k < finding_kinds; ++k)
       if ((r.findings >> k & 1) != 0)
         findings += fmt::format(" {}", name_of(static_cast<finding>(k)));
+    if (r.declined) {
+      fmt::print("line {}: declined by {}, not judged\n", c.line, entry->name);
+      continue;
+    }
     fmt::print("line {}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}\n", c.line,
                yes(r.touches != 0), yes(r.crosses != 0), yes(r.owns != 0), entry->name,
                yes(r.visited != 0), findings.empty() ? " none" : findings);
@@ -230,8 +238,10 @@ int main(int argc, char** argv) {
       "", "not negative");
   run_options run_with;
   CLI::App* run_command = app.add_subcommand("run", "Search for missed octants");
-  run_command->add_option("--traversal", run_with.traversal, "What is under test")
-      ->capture_default_str();
+  CLI::Option* run_named =
+      run_command->add_option("--traversal", run_with.traversal, "What is under test")
+          ->capture_default_str();
+  add_command_options(*run_command, *run_named, run_with.command);
   run_command
       ->add_option("--level", run_with.level,
                    "Level of the octants, 1 to 53, or a range taken in turn: 1-50")
@@ -257,8 +267,10 @@ int main(int argc, char** argv) {
       app.add_subcommand("replay", "Judge the rays of a file again, by rationals");
   replay_command->add_option("file", replay_with.file, "JSON lines; - is standard input")
       ->required();
-  replay_command->add_option("--traversal", replay_with.traversal, "What is under test")
-      ->capture_default_str();
+  CLI::Option* replay_named =
+      replay_command->add_option("--traversal", replay_with.traversal, "What is under test")
+          ->capture_default_str();
+  add_command_options(*replay_command, *replay_named, replay_with.command);
   replay_command->add_flag("--json", replay_with.json, "Print one JSON object a line");
 
   CLI::App* list_command = app.add_subcommand("list", "Names of traversals and generators");

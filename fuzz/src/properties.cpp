@@ -22,7 +22,8 @@ std::string_view name_of(promise p) {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crossed-miss", "gap", "miss", "order", "revisit", "far-spurious", "spurious", "outside"};
+      "crash", "hang",  "nan",     "malformed",    "crossed-miss", "gap",
+      "miss",  "order", "revisit", "far-spurious", "spurious",     "outside"};
   return names[static_cast<unsigned>(f)];
 }
 
@@ -41,6 +42,19 @@ constexpr auto layer = [] {
       }
   return result;
 }();
+
+finding finding_of(fault f) {
+  switch (f) {
+  case fault::crash:
+    return finding::crash;
+  case fault::hang:
+    return finding::hang;
+  case fault::not_a_number:
+    return finding::not_a_number;
+  default:
+    return finding::malformed;
+  }
+}
 
 } // namespace
 
@@ -126,9 +140,26 @@ voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
   return far;
 }
 
+std::optional<trial> trial_answered(const trial& t, const visited& said) {
+  if (said.declined())
+    return std::nullopt;
+  if (!said.received())
+    return t;
+  trial at = t;
+  at.origin = said.received()->origin;
+  at.direction = said.received()->direction;
+  if (!octree::ray::make(at.origin, at.direction))
+    return std::nullopt;
+  return at;
+}
+
 verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
   verdict v;
   v.touched = is.touched;
+  if (said.failed() != fault::none) {
+    v.findings = bit(finding_of(said.failed()));
+    return v;
+  }
   v.missed = misses(is, said, p);
   v.crossed_missed = crossed_missed(is, said);
   v.touched_missed = touched_missed(is, said);
@@ -155,10 +186,18 @@ verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
   return v;
 }
 
+verdict judge_answer(const trial& t, const visited& said, promise p) {
+  if (const auto at = trial_answered(t, said))
+    return judge(*at, truth_of(*at), said, p);
+  verdict v;
+  v.declined = true;
+  return v;
+}
+
 verdict judge(const trial& t, traversal& under_test) {
   visited said;
   under_test.visit(t, said);
-  return judge(t, truth_of(t), said, under_test.promises());
+  return judge_answer(t, said, under_test.promises());
 }
 
 } // namespace graze::fuzz

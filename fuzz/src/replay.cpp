@@ -133,10 +133,15 @@ expected<std::vector<replay_case>> read_replay_file(const std::string& path) {
   return cases;
 }
 
-replay_result replay(const trial& t, traversal& under_test) {
+replay_result replay(const trial& given, traversal& under_test) {
   visited said;
-  under_test.visit(t, said);
+  under_test.visit(given, said);
   replay_result r;
+  const auto answered = trial_answered(given, said);
+  r.declined = !answered;
+  if (r.declined)
+    return r;
+  const trial& t = *answered;
   r.visited = said.set();
   const unsigned far_faces = t.at_far_face();
   for (voxel_set left = t.all(); left != 0; left &= left - 1) {
@@ -179,6 +184,8 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
     if ((r.findings >> k & 1) != 0)
       line["findings"].push_back(name_of(static_cast<finding>(k)));
   line["oracles_agree"] = r.oracles_agree;
+  if (r.declined)
+    line["declined"] = true;
   if (std::popcount(c.at.all()) > 1)
     for (voxel_set left = c.at.all(); left != 0; left &= left - 1) {
       const auto v = static_cast<voxel>(std::countr_zero(left));

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <fmt/format.h>
 #include <graze/fuzz/number.hpp>
 #include <graze/fuzz/replay.hpp>
@@ -32,6 +33,8 @@ void put(json& object, const counts& c) {
   object["order_errors"] = c.order_errors;
   object["revisits"] = c.revisits;
   object["rays_with_finding"] = c.findings;
+  object["faults"] = c.faults;
+  object["declined"] = c.declined;
 }
 
 std::string spelled(const vec3& v) {
@@ -47,9 +50,11 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
     return std::nullopt;
   const auto under_test = plan.under_test->make();
   std::optional<counterexample> simplest;
+  using clock = std::chrono::steady_clock;
+  const auto end = clock::now() + std::chrono::seconds(20); // see shrink()
   for (const auto& of_generator : result.first) {
     const auto& ray = of_generator[static_cast<unsigned>(*kind)];
-    if (!ray)
+    if (!ray || (simplest && clock::now() >= end))
       continue;
     const trial found = trial_of(plan, *ray);
     const trial shrunk = shrink(found, *under_test, *kind);
@@ -65,7 +70,13 @@ std::string table(const campaign_plan& plan, const campaign_result& result) {
                                  "spurious", "% visits", "far", "order", "revisit");
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     text += row(plan.generators[g]->name, result.by_generator[g]);
-  return text + row("all", result.total);
+  text += row("all", result.total);
+  if (result.total.faults != 0)
+    text += fmt::format("{} rays without an answer (crash, hang, NaN or malformed)\n",
+                        result.total.faults);
+  if (result.total.declined != 0)
+    text += fmt::format("{} rays declined, not judged\n", result.total.declined);
+  return text;
 }
 
 std::string describe(const campaign_plan& plan, const counterexample& c) {
@@ -78,8 +89,10 @@ std::string describe(const campaign_plan& plan, const counterexample& c) {
                       hex(t.size()), t.level);
   if (std::popcount(t.all()) > 1)
     text += fmt::format(", the first of {} x {} x {}", t.extent[0], t.extent[1], t.extent[2]);
-  return text + fmt::format("\nreplay: echo '{}' | graze-fuzz replay - --traversal {}\n",
-                            to_json_line(t), plan.under_test->name);
+  return text + fmt::format("\nreplay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(t),
+                            plan.under_test->options.empty()
+                                ? fmt::format("--traversal {}", plan.under_test->name)
+                                : plan.under_test->options);
 }
 
 std::string to_json(const campaign_plan& plan, const campaign_result& result,

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cstdlib>
 #include <graze/fuzz/number.hpp>
 #include <graze/fuzz/shrink.hpp>
@@ -225,8 +226,14 @@ trial shrink(const trial& failing, const std::function<bool(const trial&)>& stil
 }
 
 trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations) {
+  // a traversal in another process may take seconds for a ray; others are done long before
+  using clock = std::chrono::steady_clock;
+  const auto end = clock::now() + std::chrono::seconds(20);
   return shrink(
-      failing, [&](const trial& t) { return (judge(t, under_test).findings & bit(kind)) != 0; },
+      failing,
+      [&](const trial& t) {
+        return clock::now() < end && (judge(t, under_test).findings & bit(kind)) != 0;
+      },
       evaluations);
 }
 

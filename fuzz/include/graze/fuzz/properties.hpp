@@ -5,6 +5,7 @@
 #include <bit>
 #include <graze/fuzz/traversal.hpp>
 #include <graze/fuzz/trial.hpp>
+#include <optional>
 
 namespace graze::fuzz {
 
@@ -82,8 +83,12 @@ inline bool out_of_order(const truth& is, const visited& said) {
 voxel_set far_spurious(const trial& t, const truth& is, const visited& said);
 
 /// The kinds of finding, most serious first; a set of them is a finding_set. `spurious` is one for
-/// an exact promise only.
+/// an exact promise only; the first four are those of `fault`, and leave nothing else to judge.
 enum class finding : unsigned {
+  crash,
+  hang,
+  not_a_number,
+  malformed,
   crossed_miss,
   gap,
   miss,
@@ -93,7 +98,7 @@ enum class finding : unsigned {
   spurious,
   outside
 };
-inline constexpr unsigned finding_kinds = 8;
+inline constexpr unsigned finding_kinds = 12;
 std::string_view name_of(finding f);
 
 using finding_set = unsigned;
@@ -107,11 +112,20 @@ struct verdict {
             spurious = 0;
   unsigned gaps = 0;
   bool order_error = false;
+  bool declined = false; ///< nothing was judged
   finding_set findings = 0;
 };
 
-/// Judges an answer by its promise. Order is judged where owning octants are promised.
+/// The trial that an answer is for: t, with the ray that was received. Nothing when that is not a
+/// ray, or when the trial was declined.
+std::optional<trial> trial_answered(const trial& t, const visited& said);
+
+/// Judges an answer by its promise. Order is judged where owning octants are promised. `t` is the
+/// trial that the answer is for.
 verdict judge(const trial& t, const truth& is, const visited& said, promise p);
+
+/// Judges an answer to t on the ray that was received.
+verdict judge_answer(const trial& t, const visited& said, promise p);
 
 /// Asks the traversal and judges the answer.
 verdict judge(const trial& t, traversal& under_test);

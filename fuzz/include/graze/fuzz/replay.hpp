@@ -29,12 +29,14 @@ struct replay_case {
 /// line is wrong: "FILE:LINE: reason".
 expected<std::vector<replay_case>> read_replay_file(const std::string& path);
 
-/// What exact arithmetic and the traversal say about a case. The oracle's part is told by its
+/// What exact arithmetic and the traversal say about a case (about the ray that the traversal
+/// received). The oracle's part is told by its
 /// rational form, which shares nothing with the one that found the case.
 struct replay_result {
   voxel_set touches = 0, crosses = 0, owns = 0, visited = 0; ///< by octant of the block
   finding_set findings = 0;
   bool oracles_agree = true; ///< the rational answers are those that the campaign judges by
+  bool declined = false;     ///< the traversal does not take this case: nothing was judged
 };
 replay_result replay(const trial& t, traversal& under_test);
 

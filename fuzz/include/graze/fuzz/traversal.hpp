@@ -1,7 +1,10 @@
 #pragma once
 /// What is under test: anything that says which octants of a block a ray visits, in order.
+#include <functional>
 #include <graze/fuzz/trial.hpp>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,13 +27,24 @@ constexpr bool promises_owned(promise p) {
 
 std::string_view name_of(promise p);
 
+/// Why there is no answer to judge: the traversal ended, did not end, or answered something that is
+/// not an answer or that holds a NaN.
+enum class fault : std::uint8_t { none, crash, hang, malformed, not_a_number };
+
+/// The ray that a traversal really works on, where it is not the one it was given.
+struct received_ray {
+  vec3 origin, direction;
+};
+
 /// The octants that a traversal reported, in its order; repetitions are kept.
 class visited {
 public:
   void clear() {
     count_ = 0;
     set_ = 0;
-    repeated_ = outside_ = false;
+    repeated_ = outside_ = declined_ = false;
+    fault_ = fault::none;
+    received_.reset();
   }
   void push(voxel v) {
     const voxel_set bit = voxel_set{1} << v;
@@ -43,18 +57,30 @@ public:
   }
   /// An octant that is not of the block was reported.
   void push_outside() { outside_ = true; }
+  /// There is no answer.
+  void fail(fault f) { fault_ = f; }
+  /// The traversal does not take this trial (it cannot represent it): nothing is judged.
+  void decline() { declined_ = true; }
+  /// The answer is for this ray: it is judged on it. One that is not a ray (a direction that became
+  /// zero, a component that became infinite) counts as declined.
+  void receive(const received_ray& r) { received_ = r; }
 
   [[nodiscard]] voxel_set set() const { return set_; }
   [[nodiscard]] unsigned size() const { return count_; }
   [[nodiscard]] voxel operator[](unsigned i) const { return order_[i]; }
   [[nodiscard]] bool repeated() const { return repeated_; }
   [[nodiscard]] bool outside() const { return outside_; }
+  [[nodiscard]] fault failed() const { return fault_; }
+  [[nodiscard]] bool declined() const { return declined_; }
+  [[nodiscard]] const std::optional<received_ray>& received() const { return received_; }
 
 private:
   std::array<voxel, 64> order_;
   unsigned count_ = 0;
   voxel_set set_ = 0;
-  bool repeated_ = false, outside_ = false;
+  bool repeated_ = false, outside_ = false, declined_ = false;
+  fault fault_ = fault::none;
+  std::optional<received_ray> received_;
 };
 
 /// One traversal under test. visit() may be called from one thread at a time; a campaign makes one
@@ -66,13 +92,23 @@ struct traversal {
   /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in
   /// order. `t` has passed refusal().
   virtual void visit(const trial& t, visited& out) = 0;
+  /// Answers the first n >= 1 of the trials (at least one is given), clearing out[0] to out[n-1]
+  /// first, and returns n. A traversal in another process answers many at once.
+  virtual std::size_t visit_some(std::span<const trial> trials, std::span<visited> out) {
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      out[i].clear();
+      visit(trials[i], out[i]);
+    }
+    return trials.size();
+  }
 };
 
 /// A traversal that can be chosen by name.
 struct traversal_entry {
   std::string_view name;
   std::string_view summary;
-  std::unique_ptr<traversal> (*make)();
+  std::function<std::unique_ptr<traversal>()> make;
+  std::string options{}; ///< how a user asks for it; empty: "--traversal NAME"
 };
 
 /// All that can be chosen, the sound ones first.

@@ -1,0 +1,21 @@
+#pragma once
+/// The options of graze-fuzz that choose a traversal in another process.
+#include <CLI/CLI.hpp>
+#include <graze/fuzz/external.hpp>
+
+namespace graze::fuzz {
+
+struct command_options {
+  external_options external;
+  std::string promised;
+  bool plain = false;
+};
+
+/// Adds --command and what goes with it; `other` is the option that it excludes.
+void add_command_options(CLI::App& app, CLI::Option& other, command_options& options);
+
+/// The traversal of these options, or else that of the name; the reason when there is none.
+expected<traversal_entry> chosen_traversal(const std::string& name, const command_options& options,
+                                           bool show_errors);
+
+} // namespace graze::fuzz

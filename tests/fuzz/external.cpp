@@ -1,0 +1,313 @@
+/// Traversals in another process: right ones are judged like those in this process, and each way of
+/// going wrong is told, on the ray that brings it on.
+#include "../support/program.hpp"
+#include "campaign_of.hpp"
+#include <cerrno>
+#include <graze/fuzz/external.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+using namespace graze::fuzz;
+
+namespace {
+
+external_options peer(const std::string& behaviour) {
+  external_options options;
+  options.command = std::string("'") + TEST_PEER + "' " + behaviour;
+  options.promised = promise::owned;
+  return options;
+}
+
+traversal_entry started(const external_options& options) {
+  auto entry = external_traversal(options);
+  INFO(entry.reason());
+  REQUIRE(entry);
+  return *entry;
+}
+
+campaign_result campaign(const traversal_entry& entry, std::uint64_t rays, unsigned threads = 2,
+                         int level = 10) {
+  campaign_plan plan = plan_of("sound", level, rays);
+  plan.under_test = &entry;
+  plan.threads = threads;
+  return run(plan);
+}
+
+bool no_process_left() { return waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
+
+/// Trials of many kinds, asked as a campaign asks them; what is found on each.
+struct judged {
+  trial at;
+  verdict said;
+};
+std::vector<judged> ask(const traversal_entry& entry, std::size_t count) {
+  const campaign_plan plan = plan_of("sound", 10, count);
+  std::vector<trial> trials;
+  for (std::size_t k = 0; k < count; ++k)
+    trials.push_back(trial_of(plan, k));
+  std::vector<visited> said(count);
+  const auto under_test = entry.make();
+  for (std::size_t k = 0; k < count;) {
+    const std::size_t some = std::min<std::size_t>(64, count - k);
+    k += under_test->visit_some(std::span(trials).subspan(k, some), std::span(said).subspan(k));
+  }
+  std::vector<judged> result;
+  for (std::size_t k = 0; k < count; ++k)
+    result.push_back({trials[k], judge_answer(trials[k], said[k], under_test->promises())});
+  return result;
+}
+
+/// The rays with direction x < 0 have this finding and no other; the rest have none.
+void only_backwards(const external_options& options, finding kind, std::size_t count = 200) {
+  std::size_t backwards = 0;
+  for (const judged& j : ask(started(options), count)) {
+    const bool expected = j.at.direction[0] < 0;
+    backwards += expected ? 1 : 0;
+    CHECK(j.said.findings == (expected ? bit(kind) : 0u));
+  }
+  CHECK(backwards > 5);
+  CHECK(backwards < count - 5);
+  CHECK(no_process_left());
+}
+
+std::string command(const std::string& behaviour) {
+  return std::string("--command \"'") + TEST_PEER + "' " + behaviour + "\"";
+}
+
+} // namespace
+
+TEST_CASE("fuzz.external: a right peer is judged as the traversal behind it, in either format",
+          "[property]") {
+  for (const int level : {1, 10, 53}) {
+    const counts here = campaign(*find_traversal("sound"), 2000, 1, level).total;
+    external_options plain = peer("right");
+    plain.format = line_format::plain;
+    for (const external_options& options : {peer("right"), plain, peer("around")}) {
+      const traversal_entry entry = started(options);
+      CHECK(campaign(entry, 2000, 1, level).total == here);
+      CHECK(campaign(entry, 2000, 3, level).total == here);
+    }
+  }
+  CHECK(no_process_left());
+}
+
+TEST_CASE("fuzz.external: lines longer than a pipe holds do not lock the two up", "[unit]") {
+  CHECK(campaign(started(peer("fat")), 300).total.findings == 0);
+}
+
+TEST_CASE("fuzz.external: an end in the middle is a crash of its ray", "[unit]") {
+  only_backwards(peer("exit"), finding::crash);
+  only_backwards(peer("abort"), finding::crash);
+  only_backwards(peer("exit-unflushed"), finding::crash);
+}
+
+TEST_CASE("fuzz.external: silence is a hang of its ray", "[unit]") {
+  external_options options = peer("hang");
+  options.seconds_a_ray = 0.1;
+  only_backwards(options, finding::hang, 40);
+}
+
+TEST_CASE("fuzz.external: what is no answer is malformed, NaN is told apart", "[unit]") {
+  only_backwards(peer("garbage"), finding::malformed);
+  only_backwards(peer("two-lines"), finding::malformed);
+  only_backwards(peer("nan"), finding::not_a_number);
+  only_backwards(peer("endless"), finding::malformed, 60);
+}
+
+TEST_CASE("fuzz.external: a crash that has nothing to do with a ray is told all the same",
+          "[unit]") {
+  std::size_t crashes = 0;
+  for (const judged& j : ask(started(peer("once")), 500)) {
+    crashes += j.said.findings != 0 ? 1 : 0;
+    CHECK((j.said.findings & ~bit(finding::crash)) == 0u);
+  }
+  CHECK(crashes >= 3);
+  CHECK(crashes <= 25);
+}
+
+TEST_CASE("fuzz.external: a ray that is declined is counted, and judged nothing", "[unit]") {
+  std::size_t declined = 0;
+  for (const judged& j : ask(started(peer("skip")), 200)) {
+    CHECK(j.said.declined == (j.at.direction[0] < 0));
+    CHECK(j.said.findings == 0u);
+    declined += j.said.declined ? 1 : 0;
+  }
+  CHECK(declined > 5);
+  CHECK(campaign(started(peer("skip")), 200).total.declined == declined);
+}
+
+TEST_CASE("fuzz.external: a voxel outside the grid is a finding", "[unit]") {
+  for (const judged& j : ask(started(peer("outside")), 200))
+    CHECK(((j.said.findings & bit(finding::outside)) != 0) == (j.at.direction[0] < 0));
+}
+
+TEST_CASE("fuzz.external: who rounds rays is judged on the ray that was received", "[property]") {
+  CHECK(campaign(started(peer("float")), 3000).total.findings == 0);
+  CHECK(campaign(started(peer("float-silent")), 3000).total.misses > 0);
+  external_options options = peer("float-silent");
+  options.as_float = true;
+  const counts c = campaign(started(options), 3000).total;
+  CHECK(c.findings == 0);
+  CHECK(c.declined < c.rays / 4);
+}
+
+TEST_CASE("fuzz.external: the promise is the peer's first word, or the user's", "[unit]") {
+  external_options options = peer("hello");
+  options.promised.reset();
+  CHECK(started(options).make()->promises() == promise::owned);
+  options = peer("hello-plain");
+  options.promised.reset();
+  CHECK(started(options).make()->promises() == promise::exactly_owned);
+  options.promised = promise::touched;
+  CHECK(started(options).make()->promises() == promise::touched);
+  CHECK(campaign(started(peer("hello")), 500).total.findings == 0);
+  options = peer("right");
+  options.promised.reset();
+  CHECK(started(options).make()->promises() == promise::crossed);
+}
+
+TEST_CASE("fuzz.external: a command that answers nothing is refused with the reason", "[unit]") {
+  const auto why = [](std::string text) {
+    external_options options;
+    options.command = std::move(text);
+    options.start_seconds = options.seconds_a_ray = 0.2;
+    return external_traversal(options).reason();
+  };
+  CHECK(why("exit 3").find("(exit code 3)") != std::string::npos);
+  CHECK(why("/no/such/program 2>/dev/null").find("(exit code 127)") != std::string::npos);
+  CHECK(why("kill -9 $$").find("(signal 9)") != std::string::npos);
+  CHECK(why("cat").find("what is no answer") != std::string::npos);
+  CHECK(why("echo hello").find("\"hello\"") != std::string::npos);
+  CHECK(why("sleep 1000").find("does it flush") != std::string::npos);
+  CHECK(why(peer("hello-wrong").command).find("\"the moon\"") != std::string::npos);
+  CHECK(no_process_left());
+}
+
+TEST_CASE("fuzz.external: answers are read in every spelling, and wrong ones refused", "[unit]") {
+  trial t;
+  t.level = 3;
+  t.base = {2, 4, 6};
+  t.extent = {2, 2, 2};
+  const auto read = [&](std::string_view line) {
+    visited out;
+    read_answer(line, t, 7, out);
+    return out;
+  };
+  const voxel_set two = voxel_set{1} << voxel_at(0, 0, 0) | voxel_set{1} << voxel_at(1, 1, 0);
+  for (const char* line :
+       {"[[2,4,6],[3,5,6]]", " [[2.0,4,6],[3,5e0,6]]", R"({"visited":[[2,4,6],[3,5,6]]})",
+        R"({"id":7,"visited":[[2,4,6],[7,7,7],[3,5,6]]})", "2 4 6 3 5 6", " 2 4 6  3 5 6.0 ",
+        "2 4 6 3 5 6 received 0 0 0 0x1p+0 -1 1e-3"}) {
+    INFO(line);
+    CHECK(read(line).failed() == fault::none);
+    CHECK(read(line).set() == two);
+    CHECK_FALSE(read(line).outside());
+  }
+  for (const char* line : {"[]", "", R"({"visited":[]})"}) {
+    CHECK(read(line).failed() == fault::none);
+    CHECK(read(line).set() == 0);
+  }
+  for (const char* line :
+       {"[", "[1]", "[[1,2]]", "[[1,2,3,4]]", R"([["1",2,3]])", "[[0.5,1,1]]", "{}", "1 2", "a",
+        "null", "2 4 6 3", "2 4 6 received 1 2 3", "2 4 6 received 1 2 3 4 5 6 7",
+        R"({"id":8,"visited":[]})", R"({"visited":7})", R"({"visited":[],"received":[1,2]})",
+        R"({"visited":[],"received":{"origin":[0,0,0],"direction":["x",0,0]}})", "[[1e999,0,0]]"}) {
+    INFO(line);
+    CHECK(read(line).failed() == fault::malformed);
+  }
+  for (const char* line :
+       {"[[NaN,1,1]]", "[[null,1,1]]", "nan 1 1",
+        R"({"visited":[],"received":{"origin":["nan",0,0],"direction":[1,0,0]}})"})
+    CHECK(read(line).failed() == fault::not_a_number);
+  for (const char* line : {"[[-1,4,6]]", "[[8,4,6]]", "2 4 1e300", "[[18446744073709551615,4,6]]"})
+    CHECK(read(line).outside());
+  CHECK(read("skip").declined());
+  CHECK(read(R"({"skip":true})").declined());
+  const visited ray =
+      read(R"({"visited":[],"received":{"origin":[0,"0x1p-1",0],"direction":[1,0,-1]}})");
+  REQUIRE(ray.received());
+  CHECK(ray.received()->origin == vec3{0, 0.5, 0});
+  CHECK(ray.received()->direction == vec3{1, 0, -1});
+  // the ray that was received has no direction: nothing to judge
+  CHECK(judge_answer(t, read("received 0 0 0 0 0 0"), promise::touched).declined);
+  CHECK(judge_answer(t, read("received 0 0 0 inf 0 0"), promise::touched).declined);
+}
+
+TEST_CASE("graze-fuzz run --command: found, shrunk, saved and replayed", "[unit]") {
+  const support::scratch dir;
+  const std::string file = dir / "miss.jsonl";
+  const auto o = support::call(GRAZE_FUZZ, "run --rays 4000 --level 10 --json --save " + file +
+                                               " " + command("drops"));
+  CHECK(o.code == 1);
+  const auto object = nlohmann::json::parse(o.out);
+  CHECK(object["finding"] == "crossed-miss");
+  CHECK(object["rays"] == 4000);
+  CHECK(object["faults"] == 0);
+  // once, when the command is tried
+  CHECK(o.err == "a word of the peer\n");
+  CHECK(support::call(GRAZE_FUZZ, "replay " + file + " " + command("drops")).code == 1);
+  CHECK(support::call(GRAZE_FUZZ, "replay " + file + " " + command("right")).code == 0);
+  // what is said of it can be pasted
+  const auto text = support::call(GRAZE_FUZZ, "run --rays 4000 --level 10 " + command("drops")).out;
+  const std::size_t at = text.find("replay: ");
+  REQUIRE(at != std::string::npos);
+  std::string line = text.substr(at + 8, text.find('\n', at) - at - 8);
+  line.replace(line.find("| graze-fuzz"), 12, std::string("| ") + GRAZE_FUZZ);
+  std::ofstream(dir / "paste") << line << '\n';
+  CHECK(support::call("/bin/sh", dir / "paste").code == 1);
+}
+
+TEST_CASE("graze-fuzz run --command: a crash is shrunk, and replayed", "[unit]") {
+  const support::scratch dir;
+  const std::string file = dir / "crash.jsonl";
+  const auto o = support::call(GRAZE_FUZZ, "run --rays 500 --level 10 --json --save " + file + " " +
+                                               command("exit"));
+  CHECK(o.code == 1);
+  const auto object = nlohmann::json::parse(o.out);
+  CHECK(object["finding"] == "crash");
+  CHECK(object["rays"] == 500);
+  CHECK(object["faults"] > 10);
+  const auto again = support::call(GRAZE_FUZZ, "replay --json " + file + " " + command("exit"));
+  CHECK(again.code == 1);
+  CHECK(nlohmann::json::parse(again.out)["findings"] == nlohmann::json::array({"crash"}));
+}
+
+TEST_CASE("graze-fuzz run --command: the budget of time holds for one that hangs", "[unit]") {
+  const auto start = std::chrono::steady_clock::now();
+  const auto o = support::call(GRAZE_FUZZ, "run --seconds 1 --level 10 --threads 2 --timeout 0.2 "
+                                           "--json " +
+                                               command("hang"));
+  CHECK(o.code == 1);
+  CHECK(nlohmann::json::parse(o.out)["finding"] == "hang");
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(45));
+}
+
+TEST_CASE("graze-fuzz run --command: bad input is one line and exit code 2", "[unit]") {
+  support::refused(GRAZE_FUZZ, "run --command 'exit 5'", "exit code 5");
+  support::refused(GRAZE_FUZZ, "run --command cat --promise nothing", "promise \"nothing\"");
+  support::refused(GRAZE_FUZZ, "run --command cat --timeout 0", "--timeout");
+  support::refused(GRAZE_FUZZ, "run --command cat --timeout nan", "--timeout");
+  support::refused(GRAZE_FUZZ, "run --command cat --traversal sound", "--command");
+  support::refused(GRAZE_FUZZ, "run --plain", "--command");
+}
+
+TEST_CASE("graze-fuzz run --command: the example in Python is found to miss", "[unit]") {
+  if (std::system("python3 -c 1 >/dev/null 2>&1") != 0) {
+    std::cout << "graze: skipped, no python3\n";
+    return;
+  }
+  const auto o =
+      support::call(GRAZE_FUZZ, "run --rays 5000 --level 10 --json --command 'python3 " EXAMPLES
+                                "/amanatides_woo.py'");
+  CHECK(o.code == 1);
+  CHECK(nlohmann::json::parse(o.out)["crossed_missed"] > 0);
+}
+
+TEST_CASE("graze-fuzz run --command: the example in C is found to miss, in float", "[unit]") {
+  const auto o = support::call(
+      GRAZE_FUZZ, "run --rays 5000 --level 10 --json --plain --float --command '" SLABS "'");
+  CHECK(o.code == 1);
+  const auto object = nlohmann::json::parse(o.out);
+  CHECK(object["crossed_missed"] > 0);
+  CHECK(object["faults"] == 0);
+}
