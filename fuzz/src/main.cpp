@@ -2,14 +2,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <graze/fuzz/campaign_command.hpp>
+#include <graze/fuzz/campaign_store.hpp>
 #include <graze/fuzz/replay.hpp>
 #include <graze/fuzz/report.hpp>
+#include <graze/fuzz/reproducer.hpp>
 #include <thread>
 #include <unistd.h>
 
@@ -34,6 +36,7 @@ Examples:
   graze-fuzz run --traversal gargantini --save miss.jsonl
   graze-fuzz replay miss.jsonl --traversal gargantini   says again, by rationals, what is missed
   graze-fuzz run --command "python3 my_traversal.py"    a traversal of your own: docs/adapters.md
+  graze-fuzz run --traversal published --reproducer out what a maintainer is handed: text, C++, SVG
   graze-fuzz list
 
 Exit code: 0 nothing found, 1 a finding, 2 bad input.)";
@@ -44,10 +47,12 @@ struct run_options {
   std::string level = "50";
   double seconds = 0;
   std::uint64_t rays = 0;
+  std::uint64_t first_ray = 0;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::string save;
   command_options command;
+  std::string reproducer; ///< a folder
   bool json = false;
   bool progress = false;
 };
@@ -56,6 +61,7 @@ struct replay_options {
   std::string file;
   std::string traversal = "sound";
   command_options command;
+  std::string reproducer; ///< a folder
   bool json = false;
 };
 
@@ -86,25 +92,6 @@ bool save_line(const std::string& path, const std::string& line) {
   if (error)
     std::remove(part.c_str());
   return !error;
-}
-
-/// "A" or "A-B", 1 <= A <= B <= 53.
-bool read_levels(std::string_view text, campaign_plan& plan) {
-  const auto number = [&text](int& n) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return error == std::errc();
-  };
-  if (!number(plan.level))
-    return false;
-  plan.last_level = plan.level;
-  if (text.starts_with('-')) {
-    text.remove_prefix(1);
-    if (!number(plan.last_level))
-      return false;
-  }
-  return text.empty() && 1 <= plan.level && plan.level <= plan.last_level &&
-         plan.last_level <= graze::octree::max_level;
 }
 
 int run(const run_options& options) {
@@ -138,9 +125,13 @@ int run(const run_options& options) {
   if (!entry)
     return bad_input(entry.reason());
   plan.under_test = &*entry;
+  if (!options.reproducer.empty())
+    if (const std::string why = refusal_of_folder(options.reproducer); !why.empty())
+      return bad_input(why);
   plan.seed = options.seed;
   plan.threads = options.threads;
   plan.rays = options.rays;
+  plan.first_ray = options.first_ray;
   plan.seconds = options.seconds == 0 && options.rays == 0 ? 5 : options.seconds;
 
   const bool progress = options.progress || isatty(STDERR_FILENO) != 0;
@@ -168,6 +159,14 @@ int run(const run_options& options) {
   }
   if (found && !options.save.empty() && !save_line(options.save, to_json_line(found->shrunk)))
     return bad_input(fmt::format("cannot write {}", options.save));
+  if (found && !options.reproducer.empty()) {
+    const auto written = write_reproducer(
+        reproduction_of(found->shrunk, *plan.under_test->make(), found->kind), options.reproducer);
+    if (!written)
+      return bad_input(written.reason());
+    if (!options.json)
+      fmt::print("reproducer: {}.json .txt .cpp .svg\n", *written);
+  }
   return found ? 1 : 0;
 }
 
@@ -180,6 +179,9 @@ int replay_file(const replay_options& options) {
   const auto entry = chosen_traversal(options.traversal, options.command, true);
   if (!entry)
     return bad_input(entry.reason());
+  if (!options.reproducer.empty())
+    if (const std::string why = refusal_of_folder(options.reproducer); !why.empty())
+      return bad_input(why);
   const auto under_test = entry->make();
   bool any = false;
   for (const replay_case& c : *cases) {
@@ -187,6 +189,13 @@ int replay_file(const replay_options& options) {
     any = any || r.findings != 0 || !r.oracles_agree;
     if (!r.oracles_agree)
       fmt::print(stderr, "graze-fuzz: line {}: the two oracles disagree: a bug of graze\n", c.line);
+    std::string written;
+    if (r.findings != 0 && !options.reproducer.empty()) {
+      const auto path = write_reproducer(c.at, *under_test, worst(r.findings), options.reproducer);
+      if (!path)
+        return bad_input(path.reason());
+      written = fmt::format("; reproducer: {}.json .txt .cpp .svg", *path);
+    }
     if (options.json) {
       fmt::print("{}\n", to_json_line(c, r, entry->name));
       continue;
@@ -199,9 +208,9 @@ int replay_file(const replay_options& options) {
       fmt::print("line {}: declined by {}, not judged\n", c.line, entry->name);
       continue;
     }
-    fmt::print("line {}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}\n", c.line,
+    fmt::print("line {}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}{}\n", c.line,
                yes(r.touches != 0), yes(r.crosses != 0), yes(r.owns != 0), entry->name,
-               yes(r.visited != 0), findings.empty() ? " none" : findings);
+               yes(r.visited != 0), findings.empty() ? " none" : findings, written);
   }
   return any ? 1 : 0;
 }
@@ -252,12 +261,18 @@ int main(int argc, char** argv) {
   run_command->add_option("--seconds", run_with.seconds,
                           "Budget of time (5, if no budget is given)");
   run_command->add_option("--rays", run_with.rays, "Budget of rays")->check(not_negative);
+  run_command->add_option("--first-ray", run_with.first_ray, "Number of the first ray")
+      ->check(not_negative)
+      ->capture_default_str();
   run_command->add_option("--seed", run_with.seed, "Ray k of a seed is always the same ray")
       ->check(not_negative)
       ->capture_default_str();
   run_command->add_option("--threads", run_with.threads, "Threads")->capture_default_str();
   run_command->add_option("--save", run_with.save,
                           "Write the shrunk counterexample to this replay file");
+  const char* const folder =
+      "Write the shrunk counterexample to this folder: replay line, text, C++ snippet, picture";
+  run_command->add_option("--reproducer", run_with.reproducer, folder);
   run_command->add_flag("--json", run_with.json, "Print one JSON object");
   run_command->add_flag("--progress", run_with.progress,
                         "Show progress even if stderr is not a terminal");
@@ -271,7 +286,10 @@ int main(int argc, char** argv) {
       replay_command->add_option("--traversal", replay_with.traversal, "What is under test")
           ->capture_default_str();
   add_command_options(*replay_command, *replay_named, replay_with.command);
+  replay_command->add_option("--reproducer", replay_with.reproducer, folder);
   replay_command->add_flag("--json", replay_with.json, "Print one JSON object a line");
+
+  const campaign_commands campaigns(app);
 
   CLI::App* list_command = app.add_subcommand("list", "Names of traversals and generators");
 
@@ -288,6 +306,8 @@ int main(int argc, char** argv) {
     return run(run_with);
   if (replay_command->parsed())
     return replay_file(replay_with);
+  if (const auto code = campaigns.run())
+    return *code;
   if (list_command->parsed())
     return list();
   return 2;

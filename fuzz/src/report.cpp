@@ -51,7 +51,7 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
   const auto under_test = plan.under_test->make();
   std::optional<counterexample> simplest;
   using clock = std::chrono::steady_clock;
-  const auto end = clock::now() + std::chrono::seconds(20); // see shrink()
+  const auto end = clock::now() + std::chrono::seconds(10); // see shrink()
   for (const auto& of_generator : result.first) {
     const auto& ray = of_generator[static_cast<unsigned>(*kind)];
     if (!ray || (simplest && clock::now() >= end))
@@ -61,6 +61,10 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
     if (!simplest || complexity_of(shrunk) < complexity_of(simplest->shrunk))
       simplest = counterexample{*kind, *ray, found, shrunk};
   }
+  if (simplest && *kind != finding::hang) // each hang costs its whole time
+    if (const auto small = small_witness(*under_test, *kind);
+        small && complexity_of(*small) < complexity_of(simplest->shrunk))
+      simplest->shrunk = *small;
   return simplest;
 }
 

@@ -166,33 +166,128 @@ void offer_fewer_bits(const trial& t, candidates& out) {
   }
 }
 
-/// The direction's common power of two taken out.
+/// The exponent of the lowest bit that is set in any of the numbers; 0 if all are 0.
+template <class Numbers> int lowest_bit(const Numbers& numbers) {
+  int lowest = INT32_MAX;
+  for (const double x : numbers)
+    if (x != 0)
+      lowest = std::min(lowest, octree::detail::lowest_bit_exponent(x));
+  return lowest == INT32_MAX ? 0 : lowest;
+}
+
+/// The direction's common power of two taken out, its components made integers.
 void offer_scale(const trial& t, candidates& out) {
-  int largest = INT32_MIN;
-  for (const double d : t.direction)
-    if (d != 0)
-      largest = std::max(largest, std::ilogb(d));
-  for (int by = largest; by != 0; by /= 2) {
+  const auto offer = [&](int by) {
     trial scaled = t;
     for (unsigned a = 0; a < 3; ++a)
       scaled.direction[a] = std::ldexp(t.direction[a], -by);
     out.offer(scaled);
+  };
+  offer(lowest_bit(t.direction));
+  int largest = INT32_MIN;
+  for (const double d : t.direction)
+    if (d != 0)
+      largest = std::max(largest, std::ilogb(d));
+  for (int by = largest; by != 0; by /= 2)
+    offer(by);
+}
+
+/// The whole scene times a power of two: octants of size 1, or all coordinates integers.
+void offer_scene_scale(const trial& t, candidates& out) {
+  const std::array<double, 7> coordinates{t.origin[0],  t.origin[1],  t.origin[2], t.root.lo[0],
+                                          t.root.lo[1], t.root.lo[2], t.size()};
+  for (const int by :
+       {-std::ilogb(t.size()), -lowest_bit(coordinates), -std::ilogb(t.root.size), 1, -1}) {
+    trial scaled = t;
+    for (unsigned a = 0; a < 3; ++a) {
+      scaled.origin[a] = std::ldexp(t.origin[a], by);
+      scaled.root.lo[a] = std::ldexp(t.root.lo[a], by);
+    }
+    scaled.root.size = std::ldexp(t.root.size, by);
+    out.offer(scaled);
+  }
+}
+
+/// The scene moved so that a point of it is 0: the root's corner, the octant's, the ray's origin.
+void offer_moved(const trial& t, candidates& out) {
+  const std::array<vec3, 3> points{t.root.lo, vec3{t.plane(0, 0), t.plane(1, 0), t.plane(2, 0)},
+                                   t.origin};
+  for (const vec3& zero : points)
+    for (unsigned axes = 7; axes >= 1; --axes) {
+      trial moved = t;
+      for (unsigned a = 0; a < 3; ++a)
+        if ((axes >> a & 1) != 0) {
+          moved.origin[a] -= zero[a];
+          moved.root.lo[a] -= zero[a];
+        }
+      out.offer(moved);
+    }
+  trial at_zero = t; // the root alone
+  at_zero.root.lo = {0, 0, 0};
+  out.offer(at_zero);
+}
+
+/// Directions of small integers, as they are and led through a corner of the block again from a few
+/// integer times before it.
+void offer_small_integers(const trial& t, candidates& out) {
+  double largest = 0;
+  for (const double d : t.direction)
+    largest = std::max(largest, std::fabs(d));
+  if (largest > 0x1p1000 || largest < 0x1p-1000)
+    return;
+  for (const double most : {1.0, 2.0, 3.0, 5.0, 7.0, 11.0, 15.0}) {
+    trial small = t;
+    for (unsigned a = 0; a < 3; ++a)
+      small.direction[a] = std::round(t.direction[a] / largest * most) + 0.0; // no -0
+    out.offer(small);
+    for (unsigned corner = 0; corner < 8; ++corner)
+      for (const double times : {0.0, 1.0, 2.0, 3.0}) {
+        trial again = small;
+        for (unsigned a = 0; a < 3; ++a)
+          again.origin[a] =
+              t.plane(static_cast<int>(a), (corner >> a & 1) != 0 ? t.extent[a] : 0u) -
+              times * t.size() * small.direction[a];
+        out.offer(again);
+      }
   }
 }
 
 } // namespace
 
 complexity complexity_of(const trial& t) {
-  const auto width = [](unsigned n) { return static_cast<int>(std::bit_width(n)); };
-  complexity c{t.extent[0] * t.extent[1] * t.extent[2], t.level, 0};
+  complexity c{t.extent[0] * t.extent[1] * t.extent[2], t.level, 0, 0};
+  constexpr int not_finite = 1 << 20; // a candidate that refusal() will refuse
+  const auto digits = [&c](double x) {
+    if (x != 0 && std::isfinite(x))
+      c.places +=
+          std::max(0, std::ilogb(x) + 1) + 3 * std::max(0, -octree::detail::lowest_bit_exponent(x));
+  };
+  const auto bits = [&c](double x) {
+    if (!std::isfinite(x)) {
+      c.bits += not_finite;
+      return;
+    }
+    c.bits += 2 * significant_bits(x) + (std::signbit(x) ? 1 : 0);
+    if (x != 0) // nobody's scene has 1e-300 in it: a number of 53 bits is the better witness
+      c.bits += std::max(0, std::abs(std::ilogb(x)) - 64) / 2;
+  };
   for (const std::uint64_t b : t.base)
     if (b != 0)
       c.bits += 64 - std::countl_zero(b) - std::countr_zero(b);
   for (unsigned i = 0; i < 6; ++i) {
-    const double x = number(t, i);
-    c.bits += 2 * significant_bits(x) + (std::signbit(x) ? 1 : 0);
-    if (x != 0)
-      c.bits += width(static_cast<unsigned>(std::abs(std::ilogb(x))));
+    bits(number(t, i));
+    digits(number(t, i));
+  }
+  for (unsigned a = 0; a < 3; ++a) {
+    bits(t.root.lo[a]); // twice: rather a ray from anywhere than a root
+    bits(t.root.lo[a]);
+    digits(t.root.lo[a]);
+    digits(t.plane(static_cast<int>(a), 0));
+  }
+  digits(t.size());
+  if (t.size() > 0 && std::isfinite(t.size())) { // integers, but not octants of 2^53
+    const int exponent = std::ilogb(t.size());
+    c.places += exponent * exponent;
   }
   return c;
 }
@@ -202,8 +297,11 @@ std::vector<trial> simpler(const trial& t) {
   offer_fewer_octants(t, out);
   offer_ancestors(t, out);
   offer_zoom(t, out);
+  offer_small_integers(t, out);
   offer_fewer_bits(t, out);
   offer_scale(t, out);
+  offer_scene_scale(t, out);
+  offer_moved(t, out);
   return out.take();
 }
 
@@ -228,7 +326,7 @@ trial shrink(const trial& failing, const std::function<bool(const trial&)>& stil
 trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations) {
   // a traversal in another process may take seconds for a ray; others are done long before
   using clock = std::chrono::steady_clock;
-  const auto end = clock::now() + std::chrono::seconds(20);
+  const auto end = clock::now() + std::chrono::seconds(10);
   return shrink(
       failing,
       [&](const trial& t) {

@@ -6,15 +6,13 @@ using namespace graze::fuzz;
 
 namespace {
 
-/// Misses a crossed octant of a campaign at level 10, in less than a second of it.
-void caught_within_a_second(std::string_view name) {
+/// Misses a crossed octant of a campaign at level 10 among its first rays, which take some 10 ms.
+void caught_early(std::string_view name) {
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
     campaign_plan plan = plan_of(name, 10, 20'000);
     plan.seed = seed;
     const campaign_result result = run(plan);
     INFO(name << ", seed " << seed);
-    REQUIRE(result.first_miss_seconds);
-    CHECK(*result.first_miss_seconds < 1);
     CHECK(result.total.rays_with_miss > 0);
     CHECK(result.total.misses == result.total.crossed_missed);
   }
@@ -22,23 +20,23 @@ void caught_within_a_second(std::string_view name) {
 
 } // namespace
 
-TEST_CASE("fuzz.adapters: Amanatides-Woo is caught within a second", "[property]") {
-  caught_within_a_second("amanatides-woo");
+TEST_CASE("fuzz.adapters: Amanatides-Woo is caught early", "[property]") {
+  caught_early("amanatides-woo");
 }
-TEST_CASE("fuzz.adapters: Revelles is caught within a second", "[property]") {
-  caught_within_a_second("revelles");
+TEST_CASE("fuzz.adapters: Revelles is caught early", "[property]") {
+  caught_early("revelles");
 }
-TEST_CASE("fuzz.adapters: Williams is caught within a second", "[property]") {
-  caught_within_a_second("williams");
+TEST_CASE("fuzz.adapters: Williams is caught early", "[property]") {
+  caught_early("williams");
 }
-TEST_CASE("fuzz.adapters: Tavian Barnes' branchless test is caught within a second", "[property]") {
-  caught_within_a_second("tavian");
+TEST_CASE("fuzz.adapters: Tavian Barnes' branchless test is caught early", "[property]") {
+  caught_early("tavian");
 }
-TEST_CASE("fuzz.adapters: Ize's padded test is caught within a second", "[property]") {
-  caught_within_a_second("ize");
+TEST_CASE("fuzz.adapters: Ize's padded test is caught early", "[property]") {
+  caught_early("ize");
 }
-TEST_CASE("fuzz.adapters: pbrt's padded test is caught within a second", "[property]") {
-  caught_within_a_second("pbrt");
+TEST_CASE("fuzz.adapters: pbrt's padded test is caught early", "[property]") {
+  caught_early("pbrt");
 }
 
 // An adapter that is wrong by itself would be caught as well: on rays with nothing special each

@@ -4,6 +4,7 @@
 #include "campaign_of.hpp"
 #include <cerrno>
 #include <graze/fuzz/external.hpp>
+#include <graze/fuzz/number.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -146,8 +147,24 @@ TEST_CASE("fuzz.external: who rounds rays is judged on the ray that was received
   CHECK(campaign(started(peer("float-silent")), 3000).total.misses > 0);
   external_options options = peer("float-silent");
   options.as_float = true;
-  const counts c = campaign(started(options), 3000).total;
+  const traversal_entry entry = started(options);
+  const counts c = campaign(entry, 3000).total;
   CHECK(c.findings == 0);
+  trial t;
+  t.origin = {0.1, 0.2, 0.3};
+  t.direction = {0.7, 0x1.000001p-3, 1.1};
+  visited out;
+  const auto under_test = entry.make();
+  under_test->visit(t, out);
+  REQUIRE(out.received());
+  for (unsigned a = 0; a < 3; ++a) { // strtof rounds for itself
+    CHECK(out.received()->origin[a] == std::strtof(hex(t.origin[a]).c_str(), nullptr));
+    CHECK(out.received()->direction[a] == std::strtof(hex(t.direction[a]).c_str(), nullptr));
+  }
+  t.direction = {0, 0x1p-501, 0x1p-251}; // no direction in float
+  out.clear();
+  under_test->visit(t, out);
+  CHECK(out.declined());
   CHECK(c.declined < c.rays / 4);
 }
 
@@ -297,8 +314,8 @@ TEST_CASE("graze-fuzz run --command: the example in Python is found to miss", "[
     return;
   }
   const auto o =
-      support::call(GRAZE_FUZZ, "run --rays 5000 --level 10 --json --command 'python3 " EXAMPLES
-                                "/amanatides_woo.py'");
+      support::call(GRAZE_FUZZ, "run --rays 2000 --generator far-origin,exponent-gap --level 10 "
+                                "--json --command 'python3 " EXAMPLES "/amanatides_woo.py'");
   CHECK(o.code == 1);
   CHECK(nlohmann::json::parse(o.out)["crossed_missed"] > 0);
 }

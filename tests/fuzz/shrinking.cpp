@@ -29,8 +29,8 @@ TEST_CASE("fuzz.shrink: what never fails stays, and the budget is kept", "[unit]
   const trial t = make_trial(*find_generator("vertex"), 23, 0, 30);
   CHECK(shrink(t, [](const trial&) { return false; }) == t);
   unsigned asked = 0;
-  (void)shrink(t, [&](const trial&) { return ++asked, true; }, 5);
-  CHECK(asked == 5);
+  (void)shrink(t, [&](const trial&) { return ++asked, true; }, 3);
+  CHECK(asked == 3); // the simplest of all is reached in a few steps
 }
 
 TEST_CASE("fuzz.shrink: keeps the kind of finding for every mutant", "[property]") {

@@ -52,6 +52,11 @@ trial read_plain(const std::string& line) {
   return t;
 }
 
+double to_float(double x) {
+  volatile float narrow = static_cast<float>(x); // see external.cpp
+  return static_cast<double>(narrow);
+}
+
 json answer_to(const trial& t, traversal& by, bool around = false) {
   visited said;
   by.visit(t, said);
@@ -60,8 +65,9 @@ json answer_to(const trial& t, traversal& by, bool around = false) {
     const voxel v = said[i];
     list.push_back({t.base[0] + (v & 3u), t.base[1] + (v >> 2 & 3u), t.base[2] + (v >> 4)});
   }
-  if (around) // what lies around the block is nobody's business
-    list.insert(list.begin(), {t.base[0] == 0 ? t.base[0] + t.extent[0] : 0, t.base[1], t.base[2]});
+  if (around && t.level > 2) // what lies around the block is nobody's business
+    list.push_back(
+        json::array({t.base[0] == 0 ? std::uint64_t{t.extent[0]} : 0, t.base[1], t.base[2]}));
   return list;
 }
 
@@ -116,8 +122,11 @@ int main(int argc, char** argv) {
       std::cout << "[[NaN,0,0]]" << std::endl;
       continue;
     }
-    if (now && is("two-lines"))
-      std::cout << "[]\n";
+    if (is("two-lines")) { // with ids, by which lines too many are told wherever they stand
+      const json object{{"id", json::parse(line)["id"]}, {"visited", answer_to(t, *sound)}};
+      std::cout << (now ? object.dump() + "\n" : std::string()) << object.dump() << std::endl;
+      continue;
+    }
     if (now && is("skip")) {
       std::cout << R"({"skip":true})" << std::endl;
       continue;
@@ -130,7 +139,7 @@ int main(int argc, char** argv) {
       json received;
       for (vec3* v : {&t.origin, &t.direction})
         for (double& x : *v)
-          x = static_cast<double>(static_cast<float>(x));
+          x = to_float(x);
       const bool ray = graze::octree::ray::make(t.origin, t.direction).has_value();
       json object{{"visited", ray ? answer_to(t, *sound) : json::array()}};
       if (is("float")) {

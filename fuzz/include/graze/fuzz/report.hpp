@@ -6,7 +6,8 @@
 namespace graze::fuzz {
 
 /// A ray that shows the most serious finding, before and after shrinking: of the generators' first
-/// ones, that which shrinks to the simplest.
+/// ones, that which shrinks to the simplest. `shrunk` may be another ray of the same kind of
+/// finding (small_witness), where that is simpler.
 struct counterexample {
   finding kind;
   std::uint64_t ray; ///< its number in the campaign

@@ -1,7 +1,8 @@
 #pragma once
-/// Makes a failing trial small: few octants, few levels, few significant bits.
+/// Makes a failing trial small: few octants, few levels, few significant bits, and integers.
 #include <functional>
 #include <graze/fuzz/properties.hpp>
+#include <optional>
 #include <vector>
 
 namespace graze::fuzz {
@@ -10,7 +11,9 @@ namespace graze::fuzz {
 struct complexity {
   int octants; ///< octants of the block
   int level;   ///< levels to descend
-  int bits;    ///< significant bits, exponents and signs of the ray and of the octant's place
+  int bits;    ///< significant bits, signs and far exponents of the ray, the root and the place
+  int places;  ///< binary digits before the point and, three times as dear, behind it; and how
+               ///< far the octant's size is from 1
   friend auto operator<=>(const complexity&, const complexity&) = default;
 };
 complexity complexity_of(const trial& t);
@@ -27,5 +30,12 @@ trial shrink(const trial& failing, const std::function<bool(const trial&)>& stil
 /// The same for a traversal: keeps `kind` among the findings, judged exactly each time.
 trial shrink(const trial& failing, traversal& under_test, finding kind,
              unsigned evaluations = 30'000);
+
+/// The simplest of a few shrunk trials of this kind of finding that were small from the start
+/// (levels 1 to 3, unit octants, integers of few bits first); nothing if none fails. Always the
+/// same for a deterministic traversal. It need not be the same mistake as another finding of the
+/// kind.
+std::optional<trial> small_witness(traversal& under_test, finding kind,
+                                   unsigned evaluations = 10'000);
 
 } // namespace graze::fuzz

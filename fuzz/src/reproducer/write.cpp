@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <graze/fuzz/reproducer.hpp>
+#include <graze/fuzz/shrink.hpp>
+#include <unistd.h>
+
+namespace graze::fuzz {
+
+namespace {
+
+/// FNV-1a: Fowler, Noll, Vo; draft-eastlake-fnv.
+std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : text)
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return hash;
+}
+
+voxel lowest(voxel_set set) { return static_cast<voxel>(std::countr_zero(set)); }
+
+/// The octant that the finding is about; the block's first where no octant alone is to blame.
+voxel subject_of(const trial& t, const truth& is, const visited& said, promise p, finding kind) {
+  voxel_set set = 0;
+  switch (kind) {
+  case finding::crossed_miss:
+    set = crossed_missed(is, said);
+    break;
+  case finding::gap:
+    for (unsigned i = 0; i < is.length_count && set == 0; ++i)
+      if ((is.lengths[i] & said.set()) == 0)
+        set = is.lengths[i];
+    break;
+  case finding::miss:
+    set = misses(is, said, p) & ~is.crossed;
+    break;
+  case finding::far_spurious:
+    set = far_spurious(t, is, said);
+    break;
+  case finding::spurious:
+    set = spurious(is, said, p);
+    break;
+  case finding::order:
+    // the first owner that was visited after one that lies behind it
+    for (unsigned at = 0, i = 0; i < said.size() && set == 0; ++i) {
+      const auto* place =
+          std::find(is.owner_order.data(), is.owner_order.data() + is.owners, said[i]);
+      const auto index = static_cast<unsigned>(place - is.owner_order.data());
+      if (index == is.owners)
+        continue;
+      if (index < at)
+        set = voxel_set{1} << said[i];
+      at = index;
+    }
+    break;
+  default:
+    break;
+  }
+  return lowest(set != 0 ? set : t.all());
+}
+
+/// Writes the file whole or not at all.
+bool write_whole(const std::string& path, const std::string& text) {
+  const std::string part = fmt::format("{}.{}.part", path, ::getpid());
+  {
+    std::ofstream file(part, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file)
+      return std::remove(part.c_str()), false;
+  }
+  std::error_code error;
+  std::filesystem::rename(part, path, error);
+  if (error)
+    std::remove(part.c_str());
+  return !error;
+}
+
+} // namespace
+
+reproduction reproduction_of(const trial& t, traversal& under_test, finding kind) {
+  reproduction r{t, std::string(under_test.name()), under_test.promises(), kind, {}, {}, 0};
+  under_test.visit(t, r.said);
+  r.judged = replay(t, under_test);
+  r.subject = subject_of(t, truth_of(t), r.said, r.promises, kind);
+  return r;
+}
+
+std::string reproducer_name(const reproduction& r) {
+  std::string name =
+      fmt::format("{}-{}-{:08x}", r.traversal, name_of(r.kind), hash_of(to_json_line(r.at)) >> 32);
+  for (char& c : name) // a traversal's name may be a command line
+    if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'))
+      c = '_';
+  return name;
+}
+
+std::string refusal_of_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder, error) || ::access(folder.c_str(), W_OK | X_OK) != 0)
+    return fmt::format("cannot write to folder {}", folder);
+  return {};
+}
+
+expected<std::string> write_reproducer(const reproduction& r, const std::string& folder) {
+  if (std::string why = refusal_of_folder(folder); !why.empty())
+    return unexpected{std::move(why)};
+  const std::string path = (std::filesystem::path(folder) / reproducer_name(r)).string();
+  const std::array<std::pair<const char*, std::string>, 4> files{{{".txt", reproducer_text(r)},
+                                                                  {".cpp", reproducer_snippet(r)},
+                                                                  {".svg", reproducer_picture(r)},
+                                                                  {".json", reproducer_json(r)}}};
+  for (const auto& [ending, text] : files)
+    if (!write_whole(path + ending, text))
+      return unexpected{fmt::format("cannot write {}{}", path, ending)};
+  return path;
+}
+
+expected<std::string> write_reproducer(const trial& found, traversal& under_test, finding kind,
+                                       const std::string& folder) {
+  return write_reproducer(reproduction_of(shrink(found, under_test, kind), under_test, kind),
+                          folder);
+}
+
+} // namespace graze::fuzz

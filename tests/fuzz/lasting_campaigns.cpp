@@ -1,0 +1,290 @@
+/// Campaigns that last: killed at any moment, sharded, resumed.
+#include "../support/program.hpp"
+#include <chrono>
+#include <csignal>
+#include <graze/fuzz/lasting_campaign.hpp>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+using namespace graze::fuzz;
+
+namespace {
+
+using std::chrono::steady_clock;
+using support::content, support::outcome, support::scratch;
+
+outcome call(const std::string& arguments) { return support::call(GRAZE_FUZZ, arguments); }
+void refused(const std::string& arguments, const std::string& reason) {
+  support::refused(GRAZE_FUZZ, arguments, reason);
+}
+
+/// What must not depend on how a campaign came to its end.
+struct ending {
+  std::uint64_t rays = 0;
+  std::vector<counts> by_generator;
+  std::set<std::uint64_t> pieces;
+  std::map<std::string, std::string> findings; ///< content by file name
+  friend bool operator==(const ending&, const ending&) = default;
+};
+
+ending ending_of(const std::string& folder) {
+  campaign_state state;
+  const auto plan = read_campaign(folder, state);
+  INFO(plan.reason());
+  REQUIRE(plan);
+  ending e{state.total().rays, state.by_generator, state.finished, {}};
+  for (const auto& entry : std::filesystem::directory_iterator(folder + "/findings"))
+    e.findings[entry.path().filename()] = content(entry.path());
+  CHECK(e.findings.size() == state.findings.size());
+  // and each piece has one line
+  const std::string lines = content(folder + "/progress.jsonl");
+  CHECK(static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')) ==
+        state.finished.size());
+  return e;
+}
+
+const std::string searched = " --traversal published --level 40 --rays 80500 --piece 1000 "
+                             "--seed 7 --threads 2 --generator vertex,edge-1,mid-plane";
+
+/// Starts a campaign and kills it; false when it had ended before.
+bool killed_after(const std::string& folder, std::chrono::microseconds delay) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::string command =
+        "exec '" GRAZE_FUZZ "' campaign '" + folder + "'" + searched + " >/dev/null 2>&1";
+    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    _exit(127);
+  }
+  REQUIRE(child > 0);
+  std::this_thread::sleep_for(delay);
+  kill(child, SIGKILL);
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  return WIFSIGNALED(status);
+}
+
+} // namespace
+
+TEST_CASE("graze-fuzz campaign: killed ten times, it ends as if undisturbed", "[property]") {
+  const scratch dir;
+  const auto start = steady_clock::now();
+  CHECK(call("campaign " + (dir / "undisturbed") + searched).code == 1);
+  const auto whole =
+      std::chrono::duration_cast<std::chrono::microseconds>(steady_clock::now() - start);
+  const ending undisturbed = ending_of(dir / "undisturbed");
+  CHECK(undisturbed.rays == 80'500);
+  CHECK(undisturbed.pieces.size() == 81);
+  CHECK_FALSE(undisturbed.findings.empty());
+
+  random_stream random(2026, 6);
+  int kills = 0;
+  for (int i = 0; i < 10; ++i)
+    kills += killed_after(dir / "killed", whole * random.below(1000) / 15'000) ? 1 : 0;
+  CHECK(kills == 10);
+  campaign_state before; // of a kill between a finding and its line, the finding may be there alone
+  if (std::filesystem::exists(dir / "killed/plan.json"))
+    REQUIRE(read_campaign(dir / "killed", before));
+  CHECK(before.total().rays < undisturbed.rays);
+  INFO("rays before the last start: " << before.total().rays);
+  CHECK(call("campaign " + (dir / "killed") + searched).code == 1);
+  CHECK(ending_of(dir / "killed") == undisturbed);
+  CHECK(content(dir / "killed/summary.html").find("</html>") != std::string::npos);
+}
+
+TEST_CASE("graze-fuzz campaign: a line that was cut off is as if never written", "[unit]") {
+  const scratch dir;
+  const std::string folder = dir / "campaign", progress = folder + "/progress.jsonl";
+  CHECK(call("campaign " + folder + searched).code == 1);
+  const ending whole = ending_of(folder);
+  const std::string lines = content(progress);
+  const std::size_t last = lines.rfind('\n', lines.size() - 2) + 1;
+  for (const std::size_t cut : {last + 1, (last + lines.size()) / 2, lines.size() - 1}) {
+    std::filesystem::resize_file(progress, cut);
+    campaign_state state;
+    REQUIRE(read_campaign(folder, state));
+    CHECK(state.finished.size() == 80);
+    const outcome o = call("campaign " + folder);
+    CHECK(o.code == 1);
+    CHECK(o.out.find("goes on after") != std::string::npos);
+    CHECK(ending_of(folder) == whole);
+  }
+  // a whole line that is wrong is not passed over
+  std::ofstream(progress) << lines.substr(0, last) << "{\"piece\":\n" << lines.substr(last);
+  refused("campaign " + folder, "progress.jsonl:81: not JSON");
+  std::ofstream(progress) << "{\"piece\":81,\"elapsed\":0,\"counts\":[],\"findings\":[]}\n";
+  refused("campaign " + folder, "progress.jsonl:1: piece 81 is not of this plan");
+  std::ofstream(progress) << "{\"piece\":0,\"elapsed\":0,\"counts\":[],\"findings\":[]}\n";
+  refused("summary " + folder, "progress.jsonl:1: its counts are not of this plan");
+  // a line that is there twice counts once
+  std::ofstream(progress) << lines << lines;
+  campaign_state state;
+  REQUIRE(read_campaign(folder, state));
+  CHECK(state.total().rays == whole.rays);
+}
+
+TEST_CASE("graze-fuzz campaign: another plan is refused with what differs", "[unit]") {
+  const scratch dir;
+  const std::string folder = dir / "campaign", other = dir / "other";
+  CHECK(call("campaign " + folder + " --rays 2000 --seed 3 --generator vertex").code == 0);
+  const auto plan = content(folder + "/plan.json");
+  refused("campaign " + folder + " --seed 4", "holds another plan: seed is 3, not 4");
+  refused("campaign " + folder + " --traversal plain --rays 1",
+          "traversal is \"sound\", not \"plain\"; rays is 2000, not 1");
+  refused("campaign " + folder + " --shard 2/3", "shard is 1, not 2; shards is 1, not 3");
+  refused("campaign " + folder + " --generator all", "generators is [\"vertex\"], not [");
+  CHECK(content(folder + "/plan.json") == plan);
+  CHECK(call("campaign " + folder).code == 0);
+  CHECK(call("campaign " + folder + " --seed 3 --threads 3").code == 0);
+
+  CHECK(call("campaign " + other + " --rays 2000 --seed 4 --generator vertex").code == 0);
+  refused("summary " + folder + " " + other + " --html " + (dir / "page.html"),
+          "is not of the same campaign");
+  CHECK_FALSE(std::filesystem::exists(dir / "page.html"));
+}
+
+TEST_CASE("graze-fuzz campaign: bad input is one line, exit code 2, and leaves no folder",
+          "[unit]") {
+  const scratch dir;
+  const std::string folder = dir / "campaign";
+  refused("campaign", "folder");
+  refused("campaign " + folder + " --traversal nobody", "no traversal is called \"nobody\"");
+  refused("campaign " + folder + " --generator nothing", "no generator is called \"nothing\"");
+  refused("campaign " + folder + " --level 54", "level 54 is outside 1..53");
+  for (const char* shard : {"0/1", "2/1", "1", "1/", "/1", "1/0", "-1/2", "1/2/3", "x"})
+    refused("campaign " + folder + " --shard=" + shard, "is not i/N");
+  refused("campaign " + folder + " --piece 0", "--piece");
+  refused("campaign " + folder + " --rays -1", "--rays");
+  refused("campaign " + folder + " --seconds nan", "--seconds");
+  refused("campaign " + folder + " --threads 0", "--threads");
+  CHECK(dir.empty());
+  refused("campaign /no/such/folder --rays 1", "cannot make /no/such/folder");
+  refused("summary " + folder, "it has no plan.json");
+  std::ofstream(dir / "mine.txt") << "mine";
+  refused("campaign " + (dir / ""), "has no plan.json and is not empty");
+  std::ofstream(dir / "plan.json") << "{}";
+  refused("campaign " + (dir / ""), "is not the plan of a campaign");
+  CHECK(content(dir / "plan.json") == "{}");
+}
+
+TEST_CASE("graze-fuzz campaign: a folder is held by one process", "[unit]") {
+  const scratch dir;
+  const std::string folder = dir / "campaign";
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::string command =
+        "exec '" GRAZE_FUZZ "' campaign '" + folder + "' --threads 1 --seconds 60 >/dev/null 2>&1";
+    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    _exit(127);
+  }
+  REQUIRE(child > 0);
+  for (int i = 0; i < 500 && !std::filesystem::exists(folder + "/progress.jsonl"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  refused("campaign " + folder, "is in use by another graze-fuzz");
+  kill(child, SIGTERM); // told to end, it ends with its summary
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  CHECK(std::filesystem::exists(folder + "/summary.html"));
+}
+
+TEST_CASE("graze-fuzz campaign: shards together are the whole, each piece once", "[property]") {
+  const scratch dir;
+  CHECK(call("campaign " + (dir / "whole") + searched).code == 1);
+  std::string folders;
+  for (const char* shard : {"1", "2", "3"}) {
+    const std::string folder = dir / (std::string("shard") + shard);
+    CHECK(call("campaign " + folder + searched + " --shard " + shard + "/3").code == 1);
+    folders += " " + folder;
+  }
+  const auto json_of = [&](const std::string& of) {
+    const outcome o = call("summary" + of + " --json --html " + (dir / "page.html"));
+    CHECK(o.code == 1);
+    auto object = nlohmann::json::parse(o.out);
+    object.erase("seconds");
+    object.erase("rays_per_second");
+    for (auto& f : object["findings"])
+      f.erase("file");
+    return object;
+  };
+  const auto whole = json_of(" " + (dir / "whole"));
+  CHECK(whole["rays"] == 80'500);
+  CHECK(json_of(folders) == whole);
+  CHECK(json_of(folders + folders + " " + (dir / "whole")) == whole);
+
+  const std::string page = content(dir / "page.html");
+  for (const char* part : {"mid-plane", "80500", "href=\"shard1/findings/"})
+    CHECK(page.find(part) != std::string::npos);
+  CHECK(page.find("http") == std::string::npos);
+}
+
+TEST_CASE("graze-fuzz campaign: its findings replay, and are named by their content", "[unit]") {
+  const scratch dir;
+  const std::string folder = dir / "campaign";
+  const outcome o = call("campaign " + folder + searched + " --json");
+  CHECK(o.code == 1);
+  std::istringstream lines(o.out);
+  std::map<std::string, int> events;
+  nlohmann::json last;
+  for (std::string line; std::getline(lines, line);) {
+    last = nlohmann::json::parse(line);
+    ++events[last["event"]];
+  }
+  CHECK(events["start"] == 1);
+  CHECK(events["piece"] == 81);
+  CHECK(events["end"] == 1);
+  CHECK(last["rays"] == 80'500);
+  CHECK(last["seed"] == 7);
+  CHECK(last["generators"].size() == 3);
+  const ending e = ending_of(folder);
+  CHECK(events["finding"] == static_cast<int>(e.findings.size()));
+  int replayed = 0;
+  for (const auto& [name, text] : e.findings) {
+    const auto object = nlohmann::json::parse(text);
+    const outcome again =
+        call("replay " + folder + "/findings/" + name + " --traversal published --json");
+    CHECK(again.code == 1);
+    CHECK(nlohmann::json::parse(again.out)["findings"][0] == object["kind"]);
+    if (++replayed == 5)
+      break;
+  }
+}
+
+TEST_CASE("fuzz.lasting: the rays of shards add up to the plan's", "[unit]") {
+  for (const std::uint64_t rays : {1u, 99u, 100u, 101u, 1000u, 1234u})
+    for (const std::uint64_t shards : {1u, 2u, 3u, 7u, 20u}) {
+      stored_plan p;
+      p.rays = rays;
+      p.piece = 100;
+      p.shards = shards;
+      std::uint64_t sum = 0;
+      for (p.shard = 1; p.shard <= shards; ++p.shard)
+        sum += p.shard_rays();
+      CHECK(sum == rays);
+    }
+}
+
+TEST_CASE("graze-fuzz campaign: a budget of time is that of all starts together", "[unit]") {
+  const scratch dir;
+  const std::string folder = dir / "campaign";
+  CHECK(call("campaign " + folder + " --seconds 0.3 --piece 1000 --threads 1").code == 0);
+  const std::uint64_t rays = ending_of(folder).rays;
+  CHECK(rays > 2000);
+  CHECK(call("campaign " + folder).code == 0);
+  // the clock may have reached the budget just after the last piece
+  CHECK(ending_of(folder).rays <= rays + 1000);
+}
+
+TEST_CASE("graze-fuzz run: ranges of rays add up", "[unit]") {
+  const auto found = [](const std::string& range) {
+    const outcome o = call("run --json --traversal published --level 1-50 --seed 5 " + range);
+    CHECK(o.code == 1);
+    const auto object = nlohmann::json::parse(o.out);
+    return std::pair(object["rays"].get<int>(), object["gaps"].get<int>());
+  };
+  const auto whole = found("--rays 5000"), first = found("--rays 1500"),
+             rest = found("--first-ray 1500 --rays 3500");
+  CHECK(first.first + rest.first == whole.first);
+  CHECK(first.second + rest.second == whole.second);
+  refused("run --first-ray -1", "--first-ray");
+}
