@@ -118,6 +118,7 @@ void counts::add(const verdict& v) {
     ++faults;
   touched += size_of(v.touched);
   misses += size_of(v.missed);
+  rays_with_miss += v.missed != 0 ? 1 : 0;
   crossed_missed += size_of(v.crossed_missed);
   touched_missed += size_of(v.touched_missed);
   gaps += v.gaps;
@@ -137,6 +138,7 @@ counts& counts::operator+=(const counts& other) {
   rays += other.rays;
   touched += other.touched;
   misses += other.misses;
+  rays_with_miss += other.rays_with_miss;
   crossed_missed += other.crossed_missed;
   touched_missed += other.touched_missed;
   gaps += other.gaps;

@@ -194,6 +194,10 @@ int list() {
   fmt::print("traversals\n");
   for (const traversal_entry& e : traversals())
     fmt::print("  {:<18} {}\n", e.name, e.summary);
+  fmt::print("traversals of others\n");
+  for (const auto* entries : {&adapters(), &linked_traversals()})
+    for (const traversal_entry& e : *entries)
+      fmt::print("  {:<18} {}\n", e.name, e.summary);
   fmt::print("traversals that are wrong on purpose\n");
   for (const traversal_entry& e : mutants())
     fmt::print("  {:<18} {}\n", e.name, e.summary);

@@ -22,6 +22,7 @@ void put(json& object, const counts& c) {
   object["rays"] = c.rays;
   object["touched"] = c.touched;
   object["misses"] = c.misses;
+  object["rays_with_miss"] = c.rays_with_miss;
   object["crossed_missed"] = c.crossed_missed;
   object["touched_missed"] = c.touched_missed;
   object["gaps"] = c.gaps;

@@ -29,6 +29,7 @@ struct counts {
   std::uint64_t rays = 0;
   std::uint64_t touched = 0;        ///< octants that the rays touch
   std::uint64_t misses = 0;         ///< octants missed by the traversal's own promise
+  std::uint64_t rays_with_miss = 0; ///< rays with such an octant
   std::uint64_t crossed_missed = 0; ///< crossed octants missed
   std::uint64_t touched_missed =
       0;                  ///< touched octants missed: a convention, not a bug, if only touched
