@@ -134,7 +134,7 @@ int run(const run_options& options) {
       return bad_input(std::move(why));
   if (found && !options.reproducer.empty()) {
     const auto written = write_reproducer(
-        reproduction_of(found->shrunk, *plan.under_test->make(), found->kind, entry->options),
+        reproduction_of(found->shrunk, *plan.under_test->make(), found->kind, entry->asked_for()),
         options.reproducer);
     if (!written)
       return bad_input(written.reason());
@@ -165,7 +165,7 @@ int replay_file(const replay_options& options) {
       fmt::print(stderr, "graze-fuzz: line {}: the two oracles disagree: a bug of graze\n", c.line);
     std::string written;
     if (r.findings != 0 && !options.reproducer.empty()) {
-      const auto path = write_reproducer(c.at, *under_test, worst(r.findings), entry->options,
+      const auto path = write_reproducer(c.at, *under_test, worst(r.findings), entry->asked_for(),
                                          options.reproducer);
       if (!path)
         return bad_input(path.reason());

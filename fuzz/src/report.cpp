@@ -94,9 +94,7 @@ std::string describe(const campaign_plan& plan, const counterexample& c) {
   if (std::popcount(t.all()) > 1)
     text += fmt::format(", the first of {} x {} x {}", t.extent[0], t.extent[1], t.extent[2]);
   return text + fmt::format("\nreplay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(t),
-                            plan.under_test->options.empty()
-                                ? fmt::format("--traversal {}", plan.under_test->name)
-                                : plan.under_test->options);
+                            plan.under_test->asked_for());
 }
 
 std::string to_json(const campaign_plan& plan, const campaign_result& result,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <graze/fuzz/generators.hpp>
 #include <graze/fuzz/properties.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace graze::fuzz {
 /// threads.
 struct campaign_plan {
   const traversal_entry* under_test = nullptr;
+  std::shared_ptr<const traversal_entry> owned{}; ///< under_test, where no table holds it
   std::vector<const generator*> generators;
   int level = 50;      ///< 1..53
   int last_level = 50; ///< rays take the levels from `level` to this one in turn
