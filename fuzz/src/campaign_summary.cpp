@@ -179,7 +179,7 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
       page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
                           "<td><a href=\"{}\">{}</a><br><code>{}</code></td></tr>\n",
                           name_of(known.kind), known.ray,
-                          plan.generators[known.ray % plan.generators.size()]->name, known.pieces,
+                          plan.generators[generator_of(plan, known.ray)]->name, known.pieces,
                           address(error ? file : link.string()), hash, escaped(first_line(file)));
     }
     page += "</table>\n";
