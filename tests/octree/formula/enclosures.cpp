@@ -190,7 +190,7 @@ TEST_CASE("octree.formula: polynomials in one variable have their range, but for
       const double value = k == degree ? 1 : std::nearbyint(random.in(-9, 9)) / 2;
       c.push_back(value);
       text += (value < 0 ? "-" : "+") + std::to_string(std::fabs(value)) +
-              (k > 0 ? "*x^" + std::to_string(k) : "");
+              (k > 0 ? std::string("*x^").append(std::to_string(k)) : "");
     }
     const auto f = formula::parse(text);
     REQUIRE(f);
