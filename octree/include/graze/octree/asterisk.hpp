@@ -60,13 +60,14 @@ namespace detail {
 /// The arithmetic that intervals and eight intervals have in common. `A` has the rest:
 ///   corner(z, rho, far, u, v)   sets (u, v) to the corner of the box at which the angle from +z is
 ///                               least or, `far`, greatest
-///   between(a, b, above, below) the hull of a and b, cut to [-1, 1]; up to 1 where above may be
-///                               >= 0 and below may be <= 0
-///   turned(t, a, b)             the hull of a and b, cut to [-1, 1]; up to 1 where t has -1/2,
-///   down
+///   between(a, b, above, below) the hull of a and b, cut to [-1, 1]; up to 1 where a and above may
+///                               be >= 0 and below may be <= 0
+///   turned(t, a, b)             the hull of a and b, cut to [-1, 1]; to 1 where t has -1/2, and
 ///                               to -1 where it has 1/2
 template <class A, class I> struct angular_intervals {
-  /// rho >= 0.
+  /// rho >= 0; the direction is between +z and +rho. It is within the box's angles, and 1 is
+  /// reached, if it is not nearer to +z than the first corner, nor further than the last; the first
+  /// is then less than a right angle from it.
   static I cosine_to(const I& z, const I& rho, const rational_bounds& cosine,
                      const rational_bounds& sine) {
     const I c = A::bounds_of(cosine), s = A::bounds_of(sine);
@@ -116,7 +117,7 @@ struct angular<boost::numeric::interval<double, Policies>>
   static interval between(const interval& a, const interval& b, const interval& above,
                           const interval& below) {
     const double lo = std::min(a.lower(), b.lower()), hi = std::max(a.upper(), b.upper());
-    const bool turns = above.upper() >= 0 && below.lower() <= 0;
+    const bool turns = a.upper() >= 0 && above.upper() >= 0 && below.lower() <= 0;
     // a NaN, of a corner in the origin, fails the comparisons
     const bool known = a.lower() <= a.upper() && b.lower() <= b.upper();
     return interval(known && lo > -1 ? lo : -1.0, known && hi < 1 && !turns ? hi : 1.0);
