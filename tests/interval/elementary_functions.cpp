@@ -65,7 +65,7 @@ std::vector<double> literals_of(const std::string& function) {
 
 double nearly_a_double(const unary& f, double x) {
   constexpr int steps = 1 << 14;
-  const double last = hard_operands::step(x, steps);
+  const double last = oracle::hard_operands::step(x, steps);
   oracle::number value(160), other(160), argument;
   const auto evaluate = [&](double at, mpfr_ptr into) {
     mpfr_set_d(argument, at, MPFR_RNDN);
@@ -100,7 +100,7 @@ double nearly_a_double(const unary& f, double x) {
       best = k;
     }
   }
-  return hard_operands::step(x, best);
+  return oracle::hard_operands::step(x, best);
 }
 
 } // namespace graze::test

@@ -1,6 +1,6 @@
 #pragma once
 /// The directed point functions, with MPFR's of the same value and where they are of interest.
-#include "elementary_arguments.hpp"
+#include <graze/oracle/hard_arguments.hpp>
 #include <mpfr.h>
 #include <span>
 #include <vector>
@@ -12,7 +12,7 @@ struct unary {
   double (*down)(double);
   double (*up)(double);
   int (*exact)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
-  active_range active;
+  oracle::active_range active;
   const char* core_math; ///< its name there, without cr_
 };
 struct binary {

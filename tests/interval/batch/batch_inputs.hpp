@@ -1,17 +1,20 @@
 #pragma once
 /// Inputs and comparisons for the tests of batches.
-#include "../hard_operands.hpp"
 #include <algorithm>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <graze/batch.hpp>
+#include <graze/oracle/hard_operands.hpp>
 #include <limits>
 #include <string>
 #include <vector>
 
 namespace graze::test {
+
+using oracle::hard_operands;
+using oracle::hardness;
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();

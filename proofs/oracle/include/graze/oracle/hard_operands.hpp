@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-namespace graze::test {
+namespace graze::oracle {
 
 struct operands {
   double x, y;
@@ -200,4 +200,4 @@ private:
   std::mt19937_64 random_;
 };
 
-} // namespace graze::test
+} // namespace graze::oracle

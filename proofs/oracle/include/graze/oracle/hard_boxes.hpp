@@ -1,11 +1,11 @@
 #pragma once
 /// Bounds on which interval operations go wrong, if they go wrong: hard operands as ends, one-ulp
 /// and one-point boxes, boxes about, beside and up to zero, unbounded and empty ones.
-#include "hard_operands.hpp"
 #include <algorithm>
 #include <graze/bounds.hpp>
+#include <graze/oracle/hard_operands.hpp>
 
-namespace graze::test {
+namespace graze::oracle {
 
 class hard_boxes {
 public:
@@ -53,4 +53,4 @@ private:
   }
 };
 
-} // namespace graze::test
+} // namespace graze::oracle

@@ -1,22 +1,15 @@
-#include "elementary_arguments.hpp"
-#include <cstdio>
-#include <graze/oracle/elementary.hpp>
+#include <graze/oracle/hard_arguments.hpp>
+#include <graze/oracle/mpfr_number.hpp>
 #include <map>
 
-namespace graze::test {
+namespace graze::oracle {
 
-std::string hexadecimal(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%a", x);
-  return text;
-}
-
-double elementary_arguments::nearest_multiple(int exponent) {
-  static std::map<int, double> known;
+double hard_arguments::nearest_multiple(int exponent) {
+  thread_local std::map<int, double> known;
   if (const auto found = known.find(exponent); found != known.end())
     return found->second;
   // The value has 1,024 bits before the point at most, and some 110 after it are used.
-  oracle::number rest(1300), digit(1300);
+  number rest(1300), digit(1300);
   mpfr_const_pi(rest, MPFR_RNDN);
   mpfr_ui_div(rest, 2, rest, MPFR_RNDN);
   mpfr_mul_2si(rest, rest, exponent, MPFR_RNDN);
@@ -35,4 +28,4 @@ double elementary_arguments::nearest_multiple(int exponent) {
   return known[exponent] = std::ldexp(denominator, exponent);
 }
 
-} // namespace graze::test
+} // namespace graze::oracle
