@@ -99,8 +99,8 @@ bounds fma(const bounds& x, const bounds& y, const bounds& z) {
   if (none(x, y) || z.is_empty())
     return bounds::empty();
   const auto ends = [&](double c) {
-    return hull_of_corners(
-        x, y, [c](double a, double b, mpfr_rnd_t to) { return fused(a, b, c, to); });
+    return hull_of_corners(x, y,
+                           [c](double a, double b, mpfr_rnd_t to) { return fused(a, b, c, to); });
   };
   // an unbounded product does not meet an end of z of the other sign
   return {z.lo == -infinity ? z.lo : ends(z.lo).lo, z.hi == infinity ? z.hi : ends(z.hi).hi};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <graze/oracle/elementary.hpp>
+#include <graze/oracle/hard_arguments.hpp>
 #include <graze/oracle/ranges.hpp>
 
 namespace graze::oracle::ranges {

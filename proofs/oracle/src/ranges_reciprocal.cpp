@@ -78,13 +78,13 @@ template <class Function> decorated decreasing_off_zero(Function f, const bounds
     return {bounds::empty(), trv};
   if (x.lo < 0 && 0 < x.hi)
     return {bounds::entire(), trv};
-  return {{x.hi == 0 ? -infinity : rounded_down(f, x.hi), x.lo == 0 ? infinity : rounded_up(f, x.lo)},
-          x.contains(0) ? trv : dac};
+  return {
+      {x.hi == 0 ? -infinity : rounded_down(f, x.hi), x.lo == 0 ? infinity : rounded_up(f, x.lo)},
+      x.contains(0) ? trv : dac};
 }
 
 /// { f(t) : t in x } for f even, defined on the positive numbers, monotone there.
-template <class Function>
-decorated even(Function f, const bounds& x, bool rising, double at_zero) {
+template <class Function> decorated even(Function f, const bounds& x, bool rising, double at_zero) {
   if (x.is_empty())
     return {x, trv};
   const double near = x.contains(0) ? 0 : std::min(std::fabs(x.lo), std::fabs(x.hi));

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <graze/oracle/mpfr_number.hpp>
-#include <graze/oracle/reverse.hpp>
+#include <graze/oracle/reverse_operands.hpp>
 #include <limits>
 
 namespace graze::oracle::reverse {
@@ -9,8 +9,6 @@ namespace graze::oracle::reverse {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-enum class wave { sin, cos, tan };
 
 /// The least solution at or after x.lo, rounded down; NaN if it is after x.hi. x.lo is finite.
 double least(wave f, const bounds& c, const bounds& x) {

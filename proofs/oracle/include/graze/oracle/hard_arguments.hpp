@@ -2,6 +2,7 @@
 /// Arguments on which elementary functions go wrong, if they go wrong, and intervals of them.
 #include <graze/bounds.hpp>
 #include <graze/oracle/hard_operands.hpp>
+#include <mpfr.h>
 
 namespace graze::oracle {
 
@@ -108,5 +109,12 @@ private:
 
   hard_operands operands_;
 };
+
+using mpfr_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+
+/// Beside x, on a step of doubles where f is nearly linear, the argument whose value is nearest to
+/// a double but not equal: 2^-14 of an ulp off, or less. There the first, fast evaluation of a
+/// correctly rounded function cannot decide.
+double nearly_a_double(mpfr_function f, double x);
 
 } // namespace graze::oracle

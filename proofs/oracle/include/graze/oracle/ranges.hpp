@@ -1,15 +1,13 @@
 #pragma once
 /// The judge of functions of intervals: the tightest enclosure of each range over a box, its bounds
-/// by MPFR at points where the range ends. Which points these are is found apart from the code under
-/// test: corners, zeros, and extrema and poles located by MPFR in full. Named as in
+/// by MPFR at points where the range ends. Which points these are is found apart from the code
+/// under test: corners, zeros, and extrema and poles located by MPFR in full. Named as in
 /// graze::functions. Empty and unbounded operands are taken; a zero bound is of either sign.
 #include <graze/bounds.hpp>
 #include <graze/decoration.hpp>
 #include <mpfr.h>
 
 namespace graze::oracle::ranges {
-
-using mpfr_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
 // Arithmetic: src/ranges_arithmetic.cpp.
 bounds pos(const bounds& x);
