@@ -4,8 +4,8 @@
 #include "value_of.hpp"
 #include <cmath>
 #include <graze/decorated_functions.hpp>
+#include <graze/fuzz/self/backend_operations.hpp>
 #include <graze/oracle/ranges.hpp>
-#include <graze/oracle/rounding.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/switching.hpp>
 #include <graze/rounding/upward.hpp>
@@ -345,35 +345,8 @@ template <class I> interval_operation operators(std::string name) {
   return o;
 }
 
-/// The ten operations of a backend on numbers, each the bits that MPFR gives, signed zeros too. The
-/// operation is in n; as a value [result, result], so that a NaN shows as empty.
-template <class B> double point_operation(int n, double x, double y) {
-  switch (n) {
-  case 0:
-    return B::add_down(x, y);
-  case 1:
-    return B::add_up(x, y);
-  case 2:
-    return B::sub_down(x, y);
-  case 3:
-    return B::sub_up(x, y);
-  case 4:
-    return B::mul_down(x, y);
-  case 5:
-    return B::mul_up(x, y);
-  case 6:
-    return B::div_down(x, y);
-  case 7:
-    return B::div_up(x, y);
-  case 8:
-    return B::sqrt_down(x);
-  default:
-    return B::sqrt_up(x);
-  }
-}
+/// A backend's operations on numbers; which one is in n. As a value: [result, result].
 template <class B> interval_operation points(std::string name) {
-  static constexpr std::array names{"add_down", "add_up",   "sub_down", "sub_up",    "mul_down",
-                                    "mul_up",   "div_down", "div_up",   "sqrt_down", "sqrt_up"};
   interval_operation o;
   o.name = std::move(name);
   o.generate = [](std::uint64_t seed, std::uint64_t index) {
@@ -383,32 +356,17 @@ template <class B> interval_operation points(std::string name) {
         make.below(static_cast<std::uint64_t>(oracle::hardness::count))));
     interval_operands of{{bounds{x, x}, bounds{y, y}}};
     of.count = 2;
-    of.n = static_cast<int>(mix(s) % names.size());
+    of.n = static_cast<int>(mix(s) % backend_operations.size());
     of.has_n = true;
     return of;
   };
   o.value = [](const interval_operands& of) {
-    double r = 0;
-    {
-      [[maybe_unused]] const typename B::scope scope;
-      r = point_operation<B>(of.n, of.of[0].lo, of.of[1].lo);
-    }
+    [[maybe_unused]] const typename B::scope scope;
+    const double r = backend_operation<B>(of.n, of.of[0].lo, of.of[1].lo);
     return bounds{r, r};
   };
   o.judge = [](const interval_operands& of, const bounds& got, observations& out) {
-    const double right = point_operation<oracle::mpfr>(of.n, of.of[0].lo, of.of[1].lo);
-    const bool same = right != right
-                          ? got.lo != got.lo
-                          : got.lo == right && std::signbit(got.lo) == std::signbit(right);
-    if (same)
-      return;
-    const bool down = of.n % 2 == 0;
-    const bool sound = down ? got.lo <= right : got.lo >= right;
-    out.push_back({!sound            ? flaw::unsound
-                   : got.lo == right ? flaw::difference
-                                     : flaw::not_tightest,
-                   std::string(names[static_cast<unsigned>(of.n)]) + " = " + text_of(got) +
-                       ", not " + text_of({right, right})});
+    compare_operation(of.n, of.of[0].lo, of.of[1].lo, got.lo, out);
   };
   return o;
 }

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <graze/fuzz/number.hpp>
+#include <graze/fuzz/self/backend_operations.hpp>
 #include <graze/fuzz/self/interval_operations.hpp>
+#include <graze/oracle/rounding.hpp>
 
 namespace graze::fuzz::self {
 
@@ -17,6 +19,8 @@ std::uint64_t doubles_between(double x, double y) {
   return static_cast<std::uint64_t>(place(y)) - static_cast<std::uint64_t>(place(x));
 }
 
+std::string spelled(double t) { return std::isfinite(t) ? hex(t) : fmt::format("{}", t); }
+
 bool is_interval(const bounds& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return x.lo <= x.hi && x.lo < infinity && x.hi > -infinity;
@@ -25,7 +29,7 @@ bool is_interval(const bounds& x) {
 std::string question(const interval_operation& operation, const interval_operands& o) {
   std::string text = operation.name + "(";
   for (unsigned i = 0; i < o.count; ++i)
-    text += (i != 0 ? ", " : "") + text_of(o.of[i]);
+    text.append(i != 0 ? ", " : "").append(text_of(o.of[i]));
   return text + (o.has_n ? fmt::format(", {})", o.n) : ")");
 }
 
@@ -34,8 +38,7 @@ std::string question(const interval_operation& operation, const interval_operand
 std::string text_of(const bounds& x) {
   if (x.lo != x.lo && x.hi != x.hi)
     return "[empty]";
-  const auto end = [](double t) { return std::isfinite(t) ? hex(t) : fmt::format("{}", t); };
-  return "[" + end(x.lo) + ", " + end(x.hi) + "]";
+  return fmt::format("[{}, {}]", spelled(x.lo), spelled(x.hi));
 }
 
 void compare(const std::string& operation, const bounds& right, const bounds& got,
@@ -56,6 +59,19 @@ void compare(const std::string& operation, const bounds& right, const bounds& go
   report(flaw::not_tightest,
          fmt::format(": {} and {} ulps wide of it", doubles_between(got.lo, right.lo),
                      doubles_between(right.hi, got.hi)));
+}
+
+void compare_operation(int n, double x, double y, double got, observations& out) {
+  const double right = backend_operation<oracle::mpfr>(n, x, y);
+  if (right != right ? got != got : got == right && std::signbit(got) == std::signbit(right))
+    return;
+  const bool is_down = n % 2 == 0;
+  const flaw kind = got == right ? flaw::difference
+                    : is_down    ? (got < right ? flaw::not_tightest : flaw::unsound)
+                                 : (got > right ? flaw::not_tightest : flaw::unsound);
+  out.push_back(
+      {kind, fmt::format("{}({}, {}) = {}, not {}", backend_operations[static_cast<unsigned>(n)],
+                         spelled(x), spelled(y), spelled(got), spelled(right))});
 }
 
 subject subject_of(std::string name, std::string summary, std::vector<interval_operation> list) {

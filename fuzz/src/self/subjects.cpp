@@ -1,6 +1,8 @@
 #include "subjects.hpp"
 #include <algorithm>
 #include <graze/fuzz/self/interval_operations.hpp>
+#include <graze/fuzz/self/loaders.hpp>
+#include <graze/fuzz/self/voxelizer.hpp>
 
 namespace graze::fuzz::self {
 
@@ -12,6 +14,11 @@ const std::vector<subject>& subjects() {
                  interval_operations()),
       subject_of("functions", "Elementary functions of intervals, against MPFR",
                  elementary_operations()),
+      voxelizer_subject(),
+      loaders_subject(),
+#if defined(__x86_64__)
+      control_words_subject(),
+#endif
   };
   return all;
 }
