@@ -117,10 +117,11 @@ int run(const run_options& options) {
   if (progress)
     show = [&plan](std::uint64_t rays, double seconds) { show_progress(plan, rays, seconds); };
   const campaign_result result = run_campaign(plan, interrupted, show);
+  if (progress && result.worst_finding())
+    fmt::print(stderr, "\rshrinking what was found, for at most 10 s \x1b[K");
+  const std::optional<counterexample> found = counterexample_of(plan, result);
   if (progress)
     fmt::print(stderr, "\r\x1b[K");
-
-  const std::optional<counterexample> found = counterexample_of(plan, result);
   if (options.json) {
     fmt::print("{}\n", to_json(plan, result, found));
   } else {
@@ -130,7 +131,7 @@ int run(const run_options& options) {
                result.interrupted ? " (interrupted)" : "", table(plan, result));
     if (result.first_miss_seconds)
       fmt::print("first miss after {:.6f} s\n", *result.first_miss_seconds);
-    fmt::print("{}", found ? describe(plan, *found) : std::string("nothing found\n"));
+    fmt::print("{}", found ? describe(plan, result, *found) : std::string("nothing found\n"));
   }
   if (found && !options.save.empty())
     if (std::string why = write_atomically(options.save, to_json_line(found->shrunk) + '\n');
