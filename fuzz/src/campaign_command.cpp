@@ -123,7 +123,10 @@ int campaign(campaign_options& options) {
       options.plan.generators.emplace_back(g.name);
   }
   expected<traversal_entry> started = unexpected{std::string()};
-  if (!options.command.external.command.empty()) {
+  if (options.command.external.command.empty()) {
+    if (options.campaign->count("--timeout") != 0)
+      return bad_input("--timeout needs --command in a campaign");
+  } else {
     auto external = external_of(options.command);
     if (!external)
       return bad_input(external.reason());

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <graze/fuzz/campaign_store.hpp>
+#include <graze/fuzz/libraries.hpp>
 #include <graze/fuzz/replay.hpp>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
@@ -239,13 +240,13 @@ expected<campaign_plan> resolve(const stored_plan& stored) {
   if (stored.external) {
     plan.owned = std::make_shared<const traversal_entry>(traversal_entry{
         stored.traversal, "a traversal in another process", nullptr, spelled(*stored.external)});
-    plan.under_test = plan.owned.get();
   } else {
-    plan.under_test = find_traversal(stored.traversal);
+    const auto entry = named_traversal(stored.traversal);
+    if (!entry)
+      return unexpected{entry.reason()};
+    plan.owned = std::make_shared<const traversal_entry>(*entry);
   }
-  if (plan.under_test == nullptr)
-    return unexpected{
-        fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", stored.traversal)};
+  plan.under_test = plan.owned.get();
   for (const std::string& name : stored.generators) {
     plan.generators.push_back(find_generator(name));
     if (plan.generators.back() == nullptr)

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <graze/fuzz/campaign_command.hpp>
 #include <graze/fuzz/campaign_store.hpp>
+#include <graze/fuzz/libraries.hpp>
 #include <graze/fuzz/replay.hpp>
 #include <graze/fuzz/report.hpp>
 #include <graze/fuzz/reproducer.hpp>
@@ -198,23 +199,24 @@ int replay_file(const replay_options& options) {
 int list() {
   fmt::print("traversals\n");
   for (const traversal_entry& e : traversals())
-    fmt::print("  {:<18} {}\n", e.name, e.summary);
+    fmt::print("  {:<31} {}\n", e.name, e.summary);
   fmt::print("traversals of others\n");
   for (const auto* entries : {&adapters(), &linked_traversals()})
     for (const traversal_entry& e : *entries)
-      fmt::print("  {:<18} {}\n", e.name, e.summary);
+      fmt::print("  {:<31} {}\n", e.name, e.summary);
   fmt::print("traversals that are wrong on purpose\n");
   for (const traversal_entry& e : mutants())
-    fmt::print("  {:<18} {}\n", e.name, e.summary);
+    fmt::print("  {:<31} {}\n", e.name, e.summary);
   fmt::print("generators\n");
   for (const generator& g : generators())
-    fmt::print("  {:<18} {}\n", g.name, g.summary);
+    fmt::print("  {:<31} {}\n", g.name, g.summary);
   return 0;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+  add_traversals(library_traversals());
   CLI::App app{"Finds octants that a ray traversal misses, with an exact oracle."};
   app.footer(examples);
   app.require_subcommand(1);

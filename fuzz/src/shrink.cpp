@@ -328,7 +328,8 @@ trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned
   return shrink(
       failing,
       [&](const trial& t) {
-        return std::chrono::steady_clock::now() < end && (judge(t, under_test).findings & bit(kind)) != 0;
+        return std::chrono::steady_clock::now() < end &&
+               (judge(t, under_test).findings & bit(kind)) != 0;
       },
       evaluations);
 }

@@ -36,7 +36,8 @@ std::optional<trial> small_witness(traversal& under_test, finding kind, unsigned
   std::optional<trial> best;
   unsigned found = 0;
   const auto try_it = [&](const trial& t) {
-    if (std::chrono::steady_clock::now() >= end || !refusal(t).empty() || (judge(t, under_test).findings & bit(kind)) == 0)
+    if (std::chrono::steady_clock::now() >= end || !refusal(t).empty() ||
+        (judge(t, under_test).findings & bit(kind)) == 0)
       return;
     ++found;
     const trial small = shrink(t, under_test, kind, evaluations, end);
