@@ -5,6 +5,7 @@
 #include <graze/fuzz/climb.hpp>
 #include <graze/fuzz/generators.hpp>
 #include <graze/fuzz/properties.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,7 @@ enum class search : std::uint8_t { generators, climb };
 /// number of threads.
 struct campaign_plan {
   const traversal_entry* under_test = nullptr;
+  std::shared_ptr<const traversal_entry> owned{}; ///< under_test, where no table holds it
   std::vector<const generator*> generators;
   int level = 50;      ///< 1..53
   int last_level = 50; ///< rays take the levels from `level` to this one in turn
@@ -37,6 +39,7 @@ struct counts {
   std::uint64_t rays = 0;
   std::uint64_t touched = 0;        ///< octants that the rays touch
   std::uint64_t misses = 0;         ///< octants missed by the traversal's own promise
+  std::uint64_t rays_with_miss = 0; ///< rays with such an octant
   std::uint64_t crossed_missed = 0; ///< crossed octants missed
   std::uint64_t touched_missed =
       0;                  ///< touched octants missed: a convention, not a bug, if only touched
