@@ -301,13 +301,19 @@ std::string to_json_line(const finished_piece& p) {
   return line.dump();
 }
 
+std::string content_hash(std::string_view content) {
+  std::string hash;
+  const boost::uuids::name_generator_sha1 name_of_content{boost::uuids::uuid{}};
+  for (const std::uint8_t byte : name_of_content(content.data(), content.size()))
+    hash += fmt::format("{:02x}", byte);
+  return hash;
+}
+
 finding_file file_of(finding kind, std::string_view traversal, const trial& shrunk) {
   json line{{"kind", name_of(kind)}, {"traversal", traversal}};
   line.update(json::parse(to_json_line(shrunk)));
-  finding_file f{{}, line.dump()};
-  for (const std::uint8_t byte : boost::uuids::name_generator_sha1(boost::uuids::uuid{})(f.line))
-    f.hash += fmt::format("{:02x}", byte);
-  return f;
+  const std::string text = line.dump();
+  return {content_hash(text), text};
 }
 
 std::string write_atomically(const std::string& path, std::string_view content) {

@@ -80,8 +80,10 @@ struct campaign_state {
 /// One line, without its end.
 std::string to_json_line(const finished_piece& p);
 
-/// A finding's file: one line, which names the kind, the traversal and the ray; and its hash, the
-/// UUID (version 5: SHA-1; namespace 0) of the line, 32 hex digits.
+/// The name of a file with this content: its UUID (version 5: SHA-1; namespace 0), 32 hex digits.
+std::string content_hash(std::string_view content);
+
+/// A finding's file: one line, which names the kind, the traversal and the ray; and its hash.
 struct finding_file {
   std::string hash, line;
 };
