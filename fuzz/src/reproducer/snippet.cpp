@@ -74,7 +74,7 @@ std::optional<relation> relation_of(const reproduction& r) {
 } // namespace
 
 std::string reproducer_snippet(const reproduction& r) {
-  const trial& t = r.at;
+  const trial& t = r.answered;
   const cube box = r.box();
   const vec3 hi{box.hi(0), box.hi(1), box.hi(2)};
   std::string text =
