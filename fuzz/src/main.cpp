@@ -10,6 +10,7 @@
 #include <graze/fuzz/replay.hpp>
 #include <graze/fuzz/report.hpp>
 #include <graze/fuzz/reproducer.hpp>
+#include <graze/fuzz/self_command.hpp>
 #include <thread>
 #include <unistd.h>
 
@@ -272,6 +273,7 @@ int main(int argc, char** argv) {
   replay_command->add_flag("--json", replay_with.json, "Print one JSON object a line");
 
   const campaign_commands campaigns(app);
+  const self_command self(app);
 
   CLI::App* list_command = app.add_subcommand("list", "Names of traversals and generators");
 
@@ -287,6 +289,8 @@ int main(int argc, char** argv) {
   if (replay_command->parsed())
     return replay_file(replay_with);
   if (const auto code = campaigns.run())
+    return *code;
+  if (const auto code = self.run())
     return *code;
   if (list_command->parsed())
     return list();
