@@ -260,8 +260,8 @@ std::string spelled(const external_options& options) {
 }
 
 expected<traversal_entry> external_traversal(const external_options& options) {
-  const auto shared =
-      std::make_shared<plan>(plan{options, options.command, promise::crossed, options.start_seconds});
+  const auto shared = std::make_shared<plan>(
+      plan{options, options.command, promise::crossed, options.start_seconds});
   hello said;
   double seconds = 0;
   {

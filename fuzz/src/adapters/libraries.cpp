@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <filesystem>
+#include <fmt/format.h>
 #include <graze/fuzz/libraries.hpp>
 #include <unistd.h>
 
@@ -60,6 +61,15 @@ std::vector<traversal_entry> library_traversals(const external_options& like) {
     found.push_back(untried_external_traversal(options, s.name, s.summary));
   }
   return found;
+}
+
+expected<traversal_entry> named_traversal(const std::string& name, const external_options& like) {
+  if (const traversal_entry* entry = find_traversal(name))
+    return *entry;
+  for (const traversal_entry& entry : library_traversals(like))
+    if (entry.name == name)
+      return entry;
+  return unexpected{fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", name)};
 }
 
 } // namespace graze::fuzz
