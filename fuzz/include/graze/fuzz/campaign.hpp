@@ -44,6 +44,7 @@ struct counts {
   std::uint64_t misses = 0;         ///< octants missed by the traversal's own promise
   std::uint64_t rays_with_miss = 0; ///< rays with such an octant
   std::uint64_t crossed_missed = 0; ///< crossed octants missed
+  std::uint64_t gross_missed = 0;   ///< those of them with a chord of more than 1e-3 of their edge
   std::uint64_t touched_missed =
       0;                  ///< touched octants missed: a convention, not a bug, if only touched
   std::uint64_t gaps = 0; ///< lengths of rays that no visited octant covers
