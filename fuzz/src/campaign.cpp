@@ -119,6 +119,15 @@ void work(shared_state& shared) {
 
 } // namespace
 
+std::string_view name_of(search s) { return s == search::climb ? "climb" : "generators"; }
+
+std::optional<search> search_of(std::string_view name) {
+  for (const search s : {search::generators, search::climb})
+    if (name_of(s) == name)
+      return s;
+  return std::nullopt;
+}
+
 void counts::add(const verdict& v) {
   ++rays;
   if (v.declined)
@@ -129,6 +138,7 @@ void counts::add(const verdict& v) {
   misses += size_of(v.missed);
   rays_with_miss += v.missed != 0 ? 1 : 0;
   crossed_missed += size_of(v.crossed_missed);
+  gross_missed += size_of(v.gross_missed);
   touched_missed += size_of(v.touched_missed);
   gaps += v.gaps;
   visited += size_of(v.visited);
@@ -149,6 +159,7 @@ counts& counts::operator+=(const counts& other) {
   misses += other.misses;
   rays_with_miss += other.rays_with_miss;
   crossed_missed += other.crossed_missed;
+  gross_missed += other.gross_missed;
   touched_missed += other.touched_missed;
   gaps += other.gaps;
   visited += other.visited;

@@ -13,8 +13,9 @@ namespace {
 using json = nlohmann::ordered_json;
 
 std::string row(std::string_view name, const counts& c) {
-  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>10.4f}{:>8}{:>8}{:>9}\n", name,
-                     c.rays, c.touched, c.misses, c.crossed_missed, c.gaps, c.spurious,
+  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10.4f}{:>8}{:>8}{:>9}\n",
+                     name, c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
+                     c.spurious,
                      100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits);
 }
 
@@ -24,6 +25,7 @@ void put(json& object, const counts& c) {
   object["misses"] = c.misses;
   object["rays_with_miss"] = c.rays_with_miss;
   object["crossed_missed"] = c.crossed_missed;
+  object["gross_missed"] = c.gross_missed;
   object["touched_missed"] = c.touched_missed;
   object["gaps"] = c.gaps;
   object["visited"] = c.visited;
@@ -68,8 +70,8 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
 }
 
 std::string table(const campaign_plan& plan, const campaign_result& result) {
-  std::string text = fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
-                                 "generator", "rays", "touched", "misses", "crossed", "gaps",
+  std::string text = fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
+                                 "generator", "rays", "touched", "misses", "crossed", "gross", "gaps",
                                  "spurious", "% visits", "far", "order", "revisit");
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     text += row(plan.generators[g]->name, result.by_generator[g]);
@@ -122,7 +124,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["promise"] = name_of(plan.under_test->make()->promises());
   object["level"] = plan.level;
   object["last_level"] = plan.last_level;
-  object["search"] = plan.by == search::climb ? "climb" : "generators";
+  object["search"] = name_of(plan.by);
   object["seed"] = plan.seed;
   object["threads"] = plan.threads;
   put(object, result.total);
