@@ -10,6 +10,9 @@ targets=("$@")
 # The images' C++ library is libc++, which Debian's libfmt is not built for: fmt as headers, and no
 # library that nothing is taken from. Libraries that the runner does not have go with the targets.
 export CXXFLAGS="$CXXFLAGS -DFMT_HEADER_ONLY"
+if [[ $CXXFLAGS == *-stdlib=libc++* ]]; then
+  CXXFLAGS+=" -fexperimental-library" # std::jthread, before libc++ 20
+fi
 sources=()
 if [[ -d $SRC/sources ]]; then # fetched with the image
   sources=(-DCORE_MATH_SOURCE_DIR="$SRC/sources/core-math-sys-1.4.0/vendor")

@@ -119,6 +119,15 @@ void work(shared_state& shared) {
 
 } // namespace
 
+std::string_view name_of(search s) { return s == search::climb ? "climb" : "generators"; }
+
+std::optional<search> search_of(std::string_view name) {
+  for (const search s : {search::generators, search::climb})
+    if (name_of(s) == name)
+      return s;
+  return std::nullopt;
+}
+
 void counts::add(const verdict& v) {
   ++rays;
   if (v.declined)

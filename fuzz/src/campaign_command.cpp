@@ -48,9 +48,10 @@ bool read_shard(std::string_view text, stored_plan& plan) {
 
 /// The members of the plan that the command line gives.
 std::vector<std::string> given_members(const CLI::App& campaign) {
-  constexpr std::array<std::pair<const char*, const char*>, 7> members{
+  constexpr std::array<std::pair<const char*, const char*>, 8> members{
       {{"--traversal", "traversal"},
        {"--generator", "generators"},
+       {"--search", "search"},
        {"--level", "level"},
        {"--seed", "seed"},
        {"--rays", "rays"},
@@ -231,6 +232,8 @@ Exit code: 0 nothing found, 1 a finding, 2 bad input or a folder that cannot be 
       ->capture_default_str();
   c->add_option("--generator", o.generators, "Names of generators, or all (the default)")
       ->delimiter(',');
+  c->add_option("--search", o.plan.search, "generators, or climb: see graze-fuzz run --help")
+      ->capture_default_str();
   c->add_option("--seed", o.plan.seed, "Ray k of a seed is always the same ray")
       ->check(not_negative())
       ->capture_default_str();

@@ -79,6 +79,7 @@ json to_json(const stored_plan& p) {
               {"traversal", p.traversal},
               {"external", to_json(p.external)},
               {"generators", p.generators},
+              {"search", p.search},
               {"level", p.level},
               {"seed", p.seed},
               {"rays", p.rays},
@@ -119,6 +120,7 @@ expected<stored_plan> read_plan(const std::string& path) {
     if (const json external = object.value("external", json()); !external.is_null())
       p.external = read_external(external, p.traversal);
     p.generators = object.at("generators").get<std::vector<std::string>>();
+    p.search = object.value("search", p.search);
     p.level = object.at("level").get<std::string>();
     p.seed = number("seed");
     p.rays = number("rays");
@@ -254,6 +256,10 @@ expected<campaign_plan> resolve(const stored_plan& stored) {
   }
   if (plan.generators.empty())
     return unexpected{"there is no generator"};
+  const auto by = search_of(stored.search);
+  if (!by)
+    return unexpected{fmt::format("no search is called \"{}\"", stored.search)};
+  plan.by = *by;
   if (!read_levels(stored.level, plan))
     return unexpected{
         fmt::format("level {} is outside 1..53 (a number, or a range A-B)", stored.level)};
@@ -363,8 +369,8 @@ std::string difference(const stored_plan& there, const stored_plan& wanted,
 }
 
 const std::vector<std::string>& common_members() {
-  static const std::vector<std::string> members{"traversal", "external", "generators", "level",
-                                                "seed",      "rays",     "piece"};
+  static const std::vector<std::string> members{"traversal", "external", "generators", "search",
+                                                "level",     "seed",     "rays",       "piece"};
   return members;
 }
 

@@ -109,7 +109,7 @@ int run(const run_options& options) {
   plan.threads = options.threads;
   plan.rays = options.rays;
   plan.first_ray = options.first_ray;
-  plan.by = options.search == "climb" ? search::climb : search::generators;
+  plan.by = *search_of(options.search);
   plan.until_finding = options.until_finding;
   plan.seconds = options.seconds == 0 && options.rays == 0 ? 5 : options.seconds;
 

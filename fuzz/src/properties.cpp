@@ -125,17 +125,16 @@ voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
   for (; left != 0; left &= left - 1) {
     const auto v = static_cast<voxel>(std::countr_zero(left));
     const cube box = t.octant(v);
-    std::array<std::array<double, 2>, 3> planes;
-    std::array<std::span<const double>, 3> grid;
+    vec3 near, beyond;
     for (unsigned a = 0; a < 3; ++a) {
       const double lo = box.lo[a];
       const double hi = box.hi(static_cast<int>(a));
       const double reach =
           0x1p-47 * (std::fabs(t.origin[a]) + std::max(std::fabs(lo), std::fabs(hi))) + 0x1p-1000;
-      planes[a] = {lo - reach, hi + reach};
-      grid[a] = planes[a];
+      near[a] = lo - reach;
+      beyond[a] = hi + reach;
     }
-    if (oracle::steps_in_grid(t.origin, t.direction, grid).empty())
+    if (!oracle::touches(t.origin, t.direction, near, beyond))
       far |= voxel_set{1} << v;
   }
   return far;

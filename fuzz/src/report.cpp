@@ -125,7 +125,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["promise"] = name_of(plan.under_test->make()->promises());
   object["level"] = plan.level;
   object["last_level"] = plan.last_level;
-  object["search"] = plan.by == search::climb ? "climb" : "generators";
+  object["search"] = name_of(plan.by);
   object["seed"] = plan.seed;
   object["threads"] = plan.threads;
   put(object, result.total);

@@ -208,6 +208,8 @@ private:
     if (pid == 0) {
       std::signal(SIGINT, SIG_IGN); // a terminal's Ctrl-C reaches all: the parent says when to end
       std::signal(SIGTERM, SIG_IGN);
+      for (const int fatal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+        std::signal(fatal, SIG_DFL); // the parent tells of it, no handler of its own
       const rlimit no_core{0, 0};
       setrlimit(RLIMIT_CORE, &no_core);
       prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -1,5 +1,6 @@
 #include "subjects.hpp"
 #include <algorithm>
+#include <graze/fuzz/self/batches.hpp>
 #include <graze/fuzz/self/interval_operations.hpp>
 #include <graze/fuzz/self/loaders.hpp>
 #include <graze/fuzz/self/voxelizer.hpp>
@@ -14,6 +15,7 @@ const std::vector<subject>& subjects() {
                  interval_operations()),
       subject_of("functions", "Elementary functions of intervals, against MPFR",
                  elementary_operations()),
+      batches_subject(),
       voxelizer_subject(),
       loaders_subject(),
 #if defined(__x86_64__)

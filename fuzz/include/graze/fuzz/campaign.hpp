@@ -14,6 +14,9 @@ namespace graze::fuzz {
 /// How rays are looked for: `generators` are asked for each; `climb` starts at a generator's ray
 /// and goes on towards the smallest margin (graze/fuzz/climb.hpp).
 enum class search : std::uint8_t { generators, climb };
+std::string_view name_of(search s);
+/// By the names of name_of().
+std::optional<search> search_of(std::string_view name);
 
 /// What to run. Ray k of a campaign is trial k of the seed, by generator k mod the number of
 /// generators; in a climb, step k mod climb_length of climb k / climb_length, which starts at the

@@ -22,6 +22,7 @@ struct stored_plan {
   std::string traversal = "sound";          ///< its name; a command where there is `external`
   std::optional<external_options> external; ///< how the command is driven
   std::vector<std::string> generators;      ///< none: all
+  std::string search = "generators";        ///< or "climb"
   std::string level = "50";                 ///< "A" or "A-B", taken in turn
   std::uint64_t seed = 1;
   std::uint64_t rays = 0;        ///< of all shards together; 0: no limit
