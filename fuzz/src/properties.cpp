@@ -23,8 +23,8 @@ std::string_view name_of(promise p) {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crash", "hang",    "nan",          "malformed", "gross-miss", "crossed-miss", "gap", "miss",
-      "order", "revisit", "far-spurious", "spurious",  "outside"};
+      "crash", "hang",  "nan",     "malformed",    "gross-miss", "crossed-miss", "gap",
+      "miss",  "order", "revisit", "far-spurious", "spurious",   "outside"};
   return names[static_cast<unsigned>(f)];
 }
 
