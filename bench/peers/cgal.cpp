@@ -1,4 +1,5 @@
 #include "peers.hpp"
+#include "rounded_ray.hpp"
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Octree.h>
 
@@ -84,6 +85,11 @@ template <> void peer<cgal>::occupied(const octree::ray& r, std::vector<voxel_ke
     return; // the direction is lost in the sum: no ray in CGAL
   structure_->tree.intersected_nodes(kernel::Ray_3(from, to),
                                      keep_voxels{&found, structure_->level, structure_->corners});
+}
+
+template <> std::optional<octree::ray> peer<cgal>::received(const octree::ray& r) const {
+  const octree::vec3 &o = r.origin(), &d = r.direction();
+  return ray_by_points(o, {o[0] + d[0], o[1] + d[1], o[2] + d[2]});
 }
 
 } // namespace graze::bench

@@ -1,4 +1,5 @@
 #include "peers.hpp"
+#include "rounded_ray.hpp"
 #include <algorithm>
 #include <limits>
 #include <octomap/octomap.h>
@@ -32,26 +33,53 @@ template <>
 peer<octomap>::peer(const voxel_grid& grid) : structure_(std::make_unique<structure>(grid)) {}
 template <> peer<octomap>::~peer() = default;
 
-template <> void peer<octomap>::occupied(const octree::ray& r, std::vector<voxel_key>& found) {
-  structure& s = *structure_;
+namespace {
+
+struct segment {
+  octree::vec3 from, to; ///< in single precision
+};
+
+::octomap::point3d point(const octree::vec3& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+/// computeRayKeys leaves out the cell of the end: the ray ends outside of the root, two voxels
+/// after it has left it on some axis.
+std::optional<segment> segment_of(const octree::ray& r, const octree::cube& root, double beyond) {
   const octree::vec3 &o = r.origin(), &d = r.direction();
-  // computeRayKeys leaves out the cell of the end: the ray ends outside of the root, two voxels
-  // after it has left it on some axis.
   double end = std::numeric_limits<double>::infinity();
   for (unsigned a = 0; a < 3; ++a)
     if (d[a] != 0)
       end = std::min(
-          end, ((d[a] > 0 ? s.root.hi(static_cast<int>(a)) + s.beyond : s.root.lo[a] - s.beyond) -
-                o[a]) /
-                   d[a]);
+          end,
+          ((d[a] > 0 ? root.hi(static_cast<int>(a)) + beyond : root.lo[a] - beyond) - o[a]) / d[a]);
   if (end < 0)
-    return;
-  const auto single = [](double x, double y, double z) {
-    return ::octomap::point3d(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-  };
-  if (!s.tree.computeRayKeys(single(o[0], o[1], o[2]),
-                             single(o[0] + end * d[0], o[1] + end * d[1], o[2] + end * d[2]),
-                             s.keys))
+    return std::nullopt;
+  return segment{single(o),
+                 single(octree::vec3{o[0] + end * d[0], o[1] + end * d[1], o[2] + end * d[2]})};
+}
+
+} // namespace
+
+template <> std::optional<octree::ray> peer<octomap>::received(const octree::ray& r) const {
+  const structure& s = *structure_;
+  const auto part = segment_of(r, s.root, s.beyond);
+  ::octomap::OcTreeKey from, to;
+  if (!part || !s.tree.coordToKeyChecked(point(part->from), from) ||
+      !s.tree.coordToKeyChecked(point(part->to), to))
+    return std::nullopt;
+  int cells = 0; // its buffer of keys holds 100,000, and nothing checks that in a release build
+  for (unsigned a = 0; a < 3; ++a)
+    cells += std::abs(static_cast<int>(from[a]) - static_cast<int>(to[a])) + 2;
+  if (cells > 99'000)
+    return std::nullopt;
+  return ray_by_points(part->from, part->to);
+}
+
+template <> void peer<octomap>::occupied(const octree::ray& r, std::vector<voxel_key>& found) {
+  structure& s = *structure_;
+  const auto part = segment_of(r, s.root, s.beyond);
+  if (!part || !s.tree.computeRayKeys(point(part->from), point(part->to), s.keys))
     return;
   for (const ::octomap::OcTreeKey& key : s.keys) {
     // Most cells outside of the root cost a look-up otherwise.

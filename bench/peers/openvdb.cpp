@@ -1,4 +1,5 @@
 #include "peers.hpp"
+#include "rounded_ray.hpp"
 #include <openvdb/math/DDA.h>
 #include <openvdb/math/Ray.h>
 #include <openvdb/openvdb.h>
@@ -70,6 +71,15 @@ template <> void peer<openvdb>::occupied(const octree::ray& r, std::vector<voxel
   using hdda = ::openvdb::math::LevelSetHDDA<
       tree_of_masks, static_cast<int>(tree_of_masks::RootNodeType::ChildNodeType::LEVEL)>;
   hdda::test(t);
+}
+
+template <> std::optional<octree::ray> peer<openvdb>::received(const octree::ray& r) const {
+  // in cells: nothing rounds, but the range of double ends
+  for (unsigned a = 0; a < 3; ++a)
+    for (const double x : {r.origin()[a], r.direction()[a]})
+      if (x * structure_->per_voxel / structure_->per_voxel != x)
+        return std::nullopt;
+  return r;
 }
 
 } // namespace graze::bench

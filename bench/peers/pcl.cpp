@@ -1,4 +1,5 @@
 #include "peers.hpp"
+#include "rounded_ray.hpp"
 #include <cstdio>
 #include <cstdlib>
 #include <pcl/octree/octree_search.h>
@@ -44,15 +45,19 @@ peer<pcl>::peer(const voxel_grid& grid) : structure_(std::make_unique<structure>
 template <> peer<pcl>::~peer() = default;
 
 template <> void peer<pcl>::occupied(const octree::ray& r, std::vector<voxel_key>& found) {
-  const auto single = [](const octree::vec3& v) {
+  const auto eigen = [](const octree::vec3& v) {
     return Eigen::Vector3f(static_cast<float>(v[0]), static_cast<float>(v[1]),
                            static_cast<float>(v[2]));
   };
   structure& s = *structure_;
   s.points.clear();
-  s.tree.getIntersectedVoxelIndices(single(r.origin()), single(r.direction()), s.points);
+  s.tree.getIntersectedVoxelIndices(eigen(r.origin()), eigen(r.direction()), s.points);
   for (const auto point : s.points)
     found.push_back(s.keys[static_cast<std::size_t>(point)]);
+}
+
+template <> std::optional<octree::ray> peer<pcl>::received(const octree::ray& r) const {
+  return ray_if_any(single(r.origin()), single(r.direction()));
 }
 
 } // namespace graze::bench

@@ -11,6 +11,7 @@
 #include "voxel_grid.hpp"
 #include <graze/octree/ray.hpp>
 #include <memory>
+#include <optional>
 
 namespace graze::bench {
 
@@ -21,6 +22,10 @@ public:
   explicit peer(const voxel_grid& grid);
   ~peer();
   void occupied(const octree::ray& r, std::vector<voxel_key>& found);
+  /// The ray that the library gets for r, and to which occupied() is the answer. Nothing where
+  /// there is none (a component that is infinite in single precision, a sum that loses the
+  /// direction, an origin beyond the library's coordinates), or where it is no double.
+  [[nodiscard]] std::optional<octree::ray> received(const octree::ray& r) const;
 
   struct structure; ///< the library's own; defined in its source file
 
@@ -29,7 +34,7 @@ private:
 };
 
 /// Revelles, Urena and Lastra 2000, "An efficient parametric algorithm for octree traversal", in
-/// double: code of our own, from the paper.
+/// double: code of our own, from the paper (octree/revelles.hpp).
 struct revelles {
   static constexpr const char* name = "Revelles";
 };
@@ -55,7 +60,8 @@ struct openvdb {
 #define GRAZE_PEER_DECLARE(Library)                                                                \
   template <> peer<Library>::peer(const voxel_grid&);                                              \
   template <> peer<Library>::~peer();                                                              \
-  template <> void peer<Library>::occupied(const octree::ray&, std::vector<voxel_key>&)
+  template <> void peer<Library>::occupied(const octree::ray&, std::vector<voxel_key>&);           \
+  template <> std::optional<octree::ray> peer<Library>::received(const octree::ray&) const
 GRAZE_PEER_DECLARE(revelles);
 GRAZE_PEER_DECLARE(pcl);
 GRAZE_PEER_DECLARE(cgal);

@@ -1,14 +1,11 @@
 #include "rays.hpp"
+#include "rounded_ray.hpp"
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace graze::bench {
 namespace {
-
-/// Not inlined: at -O3, gcc 12.2 drops both conversions where it vectorises two of them (a pair of
-/// y and z came back in double precision; -O2 and -fno-tree-slp-vectorize do not).
-[[gnu::noinline]] double single(double x) { return static_cast<double>(static_cast<float>(x)); }
 
 /// x moved by -2..2 units in the last place of the precision.
 double nudge(double x, precision p, std::mt19937_64& random) {

@@ -72,8 +72,9 @@ void work_on_pieces(shared_work& work) {
     std::optional<std::uint64_t> number;
     {
       const std::lock_guard lock(work.one_at_a_time);
+      // the recorded time decides, not the clock: a later start then agrees that the budget is used
       if (work.stop.load() || !work.failure.empty() ||
-          (stored.seconds != 0 && work.elapsed() >= stored.seconds))
+          (stored.seconds != 0 && work.store.state().elapsed >= stored.seconds))
         return;
       number = work.open.take();
     }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <graze/fuzz/properties.hpp>
 #include <graze/oracle/geometry.hpp>
+#include <graze/oracle/rational.hpp>
 #include <limits>
 #include <vector>
 
@@ -24,8 +25,8 @@ std::string_view name_of(promise p) {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crash", "hang",  "nan",     "malformed",    "crossed-miss", "gap",
-      "miss",  "order", "revisit", "far-spurious", "spurious",     "outside"};
+      "crash", "hang",    "nan",          "malformed", "gross-miss", "crossed-miss", "gap", "miss",
+      "order", "revisit", "far-spurious", "spurious",  "outside"};
   return names[static_cast<unsigned>(f)];
 }
 
@@ -184,6 +185,26 @@ voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
   return far;
 }
 
+voxel_set gross(const trial& t, voxel_set missed) {
+  mpq_class square_of_length = 0; // of the direction
+  for (const double d : t.direction)
+    square_of_length += mpq_class(d) * mpq_class(d);
+  const mpq_class least = mpq_class(t.size()) / 1000;
+  voxel_set result = 0;
+  for (voxel_set left = missed; left != 0; left &= left - 1) {
+    const auto v = static_cast<voxel>(std::countr_zero(left));
+    const cube box = t.octant(v);
+    const auto in = oracle::rational::range_in(t.origin, t.direction, box.lo,
+                                               {box.hi(0), box.hi(1), box.hi(2)});
+    if (!in)
+      continue;
+    const mpq_class span = in->second - in->first;
+    if (span * span * square_of_length > least * least)
+      result |= voxel_set{1} << v;
+  }
+  return result;
+}
+
 std::optional<trial> trial_answered(const trial& t, const visited& said) {
   if (said.declined())
     return std::nullopt;
@@ -211,8 +232,12 @@ verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
   v.spurious = spurious(is, said, p);
   v.gaps = gaps(is, said);
   v.order_error = promises_owned(p) && out_of_order(is, said);
-  if (v.crossed_missed != 0)
+  if (v.crossed_missed != 0) {
     v.findings |= bit(finding::crossed_miss);
+    v.gross_missed = gross(t, v.crossed_missed);
+    if (v.gross_missed != 0)
+      v.findings |= bit(finding::gross_miss);
+  }
   if (v.gaps != 0)
     v.findings |= bit(finding::gap);
   if ((v.missed & ~v.crossed_missed) != 0)

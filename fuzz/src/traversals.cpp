@@ -40,7 +40,18 @@ std::unique_ptr<traversal> gargantini() {
   return std::make_unique<method_traversal<octree::gargantini>>("gargantini", promise::crossed);
 }
 
+std::vector<traversal_entry>& linked() {
+  static std::vector<traversal_entry> list;
+  return list;
+}
+
 } // namespace
+
+const std::vector<traversal_entry>& linked_traversals() { return linked(); }
+
+void add_traversals(const std::vector<traversal_entry>& more) {
+  linked().insert(linked().end(), more.begin(), more.end());
+}
 
 const std::vector<traversal_entry>& traversals() {
   static const std::vector<traversal_entry> all{
@@ -69,7 +80,7 @@ const std::vector<traversal_entry>& traversals() {
 }
 
 const traversal_entry* find_traversal(std::string_view name) {
-  for (const auto* list : {&traversals(), &mutants()})
+  for (const auto* list : {&traversals(), &adapters(), &linked_traversals(), &mutants()})
     for (const traversal_entry& entry : *list)
       if (entry.name == name)
         return &entry;

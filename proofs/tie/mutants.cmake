@@ -95,8 +95,6 @@ graze_mutant(uppb_u_down "u rounded down in uppb" FILE ${file}
              FROM "B::sub_up(p, q)" TO "B::sub_down(p, q)")
 graze_mutant(pair_swapped "Cdn and Cup swapped in both bounds at a plane" FILE ${file}
              FROM "both(a.c_up), both(a.c_down)" TO "both(a.c_down), both(a.c_up)")
-graze_mutant(pair_not_strict "<= for < in both bounds at a plane" FILE ${file}
-             FROM "pair{0, 0} < u" TO "pair{0, 0} <= u")
 graze_mutant(pair_turned "the directions of a ray swapped in both bounds at a plane" FILE ${file}
              FROM "direction == heading::forward;" TO "direction != heading::forward;")
 graze_mutant(pair_across "< for <= on a lower face in both bounds at a plane" FILE ${file}

@@ -1,9 +1,8 @@
 // graze-render: a picture of an implicit surface, one ray a pixel through the sound traversal.
+#include "program.hpp"
 #include "progress.hpp"
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <graze/render/atomic_file.hpp>
@@ -14,21 +13,6 @@
 
 namespace {
 using namespace graze::render;
-
-enum exit_code { done = 0, failed = 1, bad_input = 2, interrupted = 130 };
-
-std::atomic<bool> stop_wanted{false};
-static_assert(std::atomic<bool>::is_always_lock_free); // it is set in a signal handler
-
-/// The first signal asks for an orderly end, the second ends at once.
-void listen_for_interrupts() {
-  struct sigaction action{};
-  action.sa_handler = [](int) { stop_wanted.store(true, std::memory_order_relaxed); };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  signal(SIGXFSZ, SIG_IGN); // a limit on file sizes is an error of write(), with its own message
-}
 
 struct request {
   std::string scene_name;

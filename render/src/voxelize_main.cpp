@@ -1,8 +1,8 @@
 // graze-voxelize: a scene's surface as an octree in a file, and what such a file holds.
+#include "program.hpp"
+
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <graze/octree/lane_kernels.hpp>
@@ -18,21 +18,7 @@ namespace {
 using namespace graze;
 using namespace graze::render;
 
-enum exit_code { done = 0, failed = 1, bad_input = 2, interrupted = 130 };
 constexpr int deepest = 14;
-
-std::atomic<bool> stop_wanted{false};
-static_assert(std::atomic<bool>::is_always_lock_free); // it is set in a signal handler
-
-/// The first signal asks for an orderly end, the second ends at once.
-void listen_for_interrupts() {
-  struct sigaction action{};
-  action.sa_handler = [](int) { stop_wanted.store(true, std::memory_order_relaxed); };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  signal(SIGXFSZ, SIG_IGN); // a limit on file sizes is an error of write(), with its own message
-}
 
 struct request {
   std::string scene_name, output, info;

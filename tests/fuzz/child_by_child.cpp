@@ -74,6 +74,35 @@ TEMPLATE_TEST_CASE("octree.descent: child by child visits what split visits, in 
   CHECK(visits > 50'000);
 }
 
+TEMPLATE_TEST_CASE("octree.ray_bounds: both bounds at a plane are those of enter_at and leave_at",
+                   "[property][hardcase]", graze::rounding::upward, graze::rounding::nearest) {
+  using bounds = ray_bounds<TestType>;
+  const auto same = [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  };
+  std::uint64_t at_origin = 0, wrong = 0;
+  for_trials(10, [&](const trial& t, const generator&, std::uint64_t) {
+    const typename TestType::scope scope;
+    const auto axes = bounds::prepare(t.origin, t.direction);
+    for (unsigned a = 0; a < 3; ++a)
+      for (const double p : {t.plane(static_cast<int>(a), 0), t.plane(static_cast<int>(a), 1),
+                             t.origin[a], -t.origin[a]}) {
+        const auto check = [&](const auto& both, double enter, double leave) {
+          wrong += same(both.enter, enter) && same(both.leave, leave) ? 0 : 1;
+        };
+        check(bounds::template at_plane<convention::closed>(axes[a], p),
+              bounds::enter_at(axes[a], p),
+              bounds::template leave_at<convention::closed>(axes[a], p));
+        check(bounds::template at_plane<convention::owned>(axes[a], p),
+              bounds::enter_at(axes[a], p),
+              bounds::template leave_at<convention::owned>(axes[a], p));
+        at_origin += p == t.origin[a] && std::isinf(axes[a].c_up) ? 1 : 0;
+      }
+  });
+  CHECK(wrong == 0);
+  CHECK(at_origin > 100); // 0 times infinity, if the comparisons were not strict
+}
+
 TEST_CASE("fuzz.properties: the truth is that of rationals, for every generator and level",
           "[property][hardcase]") {
   std::uint64_t trials = 0, touched = 0, crossed = 0, owned = 0;

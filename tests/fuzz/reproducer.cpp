@@ -1,9 +1,9 @@
 /// What a maintainer is handed: the files are whole, say what replay says, compile, and show it.
 #include "../support/program.hpp"
-#include "amanatides_woo.hpp"
 #include "campaign_of.hpp"
 #include <boost/property_tree/xml_parser.hpp>
 #include <functional>
+#include <graze/fuzz/number.hpp>
 #include <graze/fuzz/reproducer.hpp>
 #include <graze/fuzz/shrink.hpp>
 #include <optional>
@@ -137,6 +137,39 @@ TEST_CASE("fuzz.reproducer: the text says root, level, ray, octant, miss and jud
   CHECK(std::count(text.begin(), text.end(), '\n') <= 12);
 }
 
+TEST_CASE("fuzz.reproducer: a finding on the ray that was received is told about that ray",
+          "[regression]") {
+  struct in_floats final : traversal {
+    [[nodiscard]] std::string_view name() const override { return "in-floats"; }
+    [[nodiscard]] promise promises() const override { return promise::crossed; }
+    void visit(const trial& t, visited& out) override {
+      const auto rounded = [](const vec3& v) {
+        return vec3{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+      };
+      out.receive({rounded(t.origin), rounded(t.direction)}); // and visits nothing
+    }
+  } under_test;
+  std::string all;
+  unsigned told = 0;
+  for (const auto& [t, kind] : findings_of(under_test, 10, 20)) {
+    const reproduction r = reproduction_of(t, under_test, kind);
+    if (r.answered == t || (r.judged.touches >> r.subject & 1) == 0)
+      continue;
+    CHECK(reproducer_json(r).find(hex(t.origin[0])) != std::string::npos);
+    CHECK(reproducer_text(r).find("given ") != std::string::npos);
+    all += reproducer_snippet(r); // its claim is about r.answered
+    ++told;
+  }
+  CHECK(told > 10);
+  if (!compiler_is_there())
+    return;
+  const scratch dir;
+  std::ofstream(dir / "all.cpp") << all;
+  const auto compiled = syntax(dir / "all.cpp");
+  INFO(compiled.err);
+  CHECK(compiled.code == 0);
+}
+
 TEST_CASE("fuzz.reproducer: the snippet is the committed one, which is compiled with the tests",
           "[regression]") {
   CHECK(content(GRAZE_REPRODUCER_EXAMPLE) == reproducer_snippet(recorded()));
@@ -191,7 +224,8 @@ TEST_CASE("fuzz.reproducer: the picture of a miss by less than an ulp has its ma
 
 TEST_CASE("fuzz.shrink: small witnesses lie in a grid of at most 8^3, and fail in the same way",
           "[property]") {
-  amanatides_woo walk;
+  const auto shipped = find_traversal("amanatides-woo")->make();
+  traversal& walk = *shipped;
   std::vector<std::unique_ptr<traversal>> all;
   for (const char* name : {"published", "plain", "gargantini", "mutant-exact", "mutant-drops"})
     all.push_back(find_traversal(name)->make());

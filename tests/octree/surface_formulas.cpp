@@ -165,6 +165,17 @@ TEST_CASE("octree.surfaces: natural extension, mean value form and gradient hold
   });
 }
 
+TEST_CASE("octree.inclusion: the centre of a flat subnormal box is in the box", "[regression]") {
+  // half of it, rounded up, twice, is twice the number: a centre outside, and a bound without 2^-148
+  const auto square = [](const auto& x, const auto&, const auto&) { return sqr(x * 0x1p1000); };
+  const box flat{{0x1p-1074, 0, 0}, {0x1p-1074, 0, 0}};
+  const up::scope scope;
+  const auto x = intervals<up>(flat);
+  const auto bounds = mean_value_form<up>(square, x, value_and_gradient<up>(square, x).partial);
+  CHECK(bounds.lower() == 0x1p-148);
+  CHECK(bounds.upper() == 0x1p-148);
+}
+
 TEST_CASE("octree.inclusion: certified signs are MPFR's, and known off the surface",
           "[property][mpfr]") {
   scenes::for_each([](const auto& scene) {

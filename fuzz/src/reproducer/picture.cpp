@@ -63,8 +63,8 @@ std::string arrow(double x, double y, double dx, double dy) {
 class drawing {
 public:
   explicit drawing(const reproduction& r)
-      : r_(r), t_(r.at), box_(r.box()), p_(passage_of(t_, box_)), h_(std::min(p_.along, p_.across)),
-        v_(std::max(p_.along, p_.across)), third_(3 - h_ - v_) {}
+      : r_(r), t_(r.answered), box_(r.box()), p_(passage_of(t_, box_)),
+        h_(std::min(p_.along, p_.across)), v_(std::max(p_.along, p_.across)), third_(3 - h_ - v_) {}
 
   std::string svg() {
     title();

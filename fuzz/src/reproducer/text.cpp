@@ -15,13 +15,16 @@ std::string reproducer_json(const reproduction& r) {
 }
 
 std::string reproducer_text(const reproduction& r) {
-  const trial& t = r.at;
+  const trial& t = r.answered;
   const cube box = r.box();
   const passage p = passage_of(t, box);
   std::string text = fmt::format("{} by {}\n", name_of(r.kind), r.traversal);
   text += fmt::format("root       {} size {}, level {}\n", spelled(t.root.lo), hex(t.root.size),
                       t.level);
   text += fmt::format("origin     {}\ndirection  {}\n", spelled(t.origin), spelled(t.direction));
+  if (r.answered != r.at)
+    text += fmt::format("given      {}\ntowards    {}\n", spelled(r.at.origin),
+                        spelled(r.at.direction));
   text +=
       fmt::format("octant     {} size {}: {}\n", spelled(box.lo), hex(box.size), fault_of(r.kind));
   if (std::popcount(t.all()) > 1)
@@ -39,8 +42,7 @@ std::string reproducer_text(const reproduction& r) {
   text += fmt::format("judged by  rationals (GMP){}\n",
                       r.judged.oracles_agree ? ", and the filtered exact oracle agrees"
                                              : "; THE FILTERED ORACLE DISAGREES: a bug of graze");
-  text += fmt::format("replay     graze-fuzz replay {}.json --traversal {}\n", reproducer_name(r),
-                      r.traversal);
+  text += fmt::format("replay     graze-fuzz replay {}.json {}\n", reproducer_name(r), r.options);
   return text;
 }
 

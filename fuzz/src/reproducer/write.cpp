@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
+#include <graze/fuzz/campaign_store.hpp>
 #include <graze/fuzz/reproducer.hpp>
 #include <graze/fuzz/shrink.hpp>
 #include <unistd.h>
@@ -25,6 +24,9 @@ voxel lowest(voxel_set set) { return static_cast<voxel>(std::countr_zero(set)); 
 voxel subject_of(const trial& t, const truth& is, const visited& said, promise p, finding kind) {
   voxel_set set = 0;
   switch (kind) {
+  case finding::gross_miss:
+    set = gross(t, crossed_missed(is, said));
+    break;
   case finding::crossed_miss:
     set = crossed_missed(is, said);
     break;
@@ -61,30 +63,19 @@ voxel subject_of(const trial& t, const truth& is, const visited& said, promise p
   return lowest(set != 0 ? set : t.all());
 }
 
-/// Writes the file whole or not at all.
-bool write_whole(const std::string& path, const std::string& text) {
-  const std::string part = fmt::format("{}.{}.part", path, ::getpid());
-  {
-    std::ofstream file(part, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file)
-      return std::remove(part.c_str()), false;
-  }
-  std::error_code error;
-  std::filesystem::rename(part, path, error);
-  if (error)
-    std::remove(part.c_str());
-  return !error;
-}
-
 } // namespace
 
-reproduction reproduction_of(const trial& t, traversal& under_test, finding kind) {
-  reproduction r{t, std::string(under_test.name()), under_test.promises(), kind, {}, {}, 0};
+reproduction reproduction_of(const trial& t, traversal& under_test, finding kind,
+                             const std::string& options) {
+  const std::string name(under_test.name());
+  reproduction r{
+      t,  t,  name, options.empty() ? "--traversal " + name : options, under_test.promises(), kind,
+      {}, {}, 0};
   under_test.visit(t, r.said);
+  if (const auto answered = trial_answered(t, r.said))
+    r.answered = *answered;
   r.judged = replay(t, under_test);
-  r.subject = subject_of(t, truth_of(t), r.said, r.promises, kind);
+  r.subject = subject_of(r.answered, truth_of(r.answered), r.said, r.promises, kind);
   return r;
 }
 
@@ -114,15 +105,15 @@ expected<std::string> write_reproducer(const reproduction& r, const std::string&
                                                                   {".svg", reproducer_picture(r)},
                                                                   {".json", reproducer_json(r)}}};
   for (const auto& [ending, text] : files)
-    if (!write_whole(path + ending, text))
-      return unexpected{fmt::format("cannot write {}{}", path, ending)};
+    if (std::string why = write_atomically(path + ending, text); !why.empty())
+      return unexpected{std::move(why)};
   return path;
 }
 
 expected<std::string> write_reproducer(const trial& found, traversal& under_test, finding kind,
-                                       const std::string& folder) {
-  return write_reproducer(reproduction_of(shrink(found, under_test, kind), under_test, kind),
-                          folder);
+                                       const std::string& options, const std::string& folder) {
+  return write_reproducer(
+      reproduction_of(shrink(found, under_test, kind), under_test, kind, options), folder);
 }
 
 } // namespace graze::fuzz

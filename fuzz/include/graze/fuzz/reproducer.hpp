@@ -14,8 +14,10 @@ namespace graze::fuzz {
 
 /// A finding with all that is told about it.
 struct reproduction {
-  trial at;
+  trial at;       ///< what the traversal was given: the replay line
+  trial answered; ///< the same with the ray that it received: what text, snippet and picture show
   std::string traversal;
+  std::string options; ///< how graze-fuzz is asked for it: "--traversal NAME"
   promise promises;
   finding kind;
   visited said;         ///< the answer
@@ -23,11 +25,13 @@ struct reproduction {
   voxel subject;        ///< the octant that the finding is about: the first that was missed, ...
 
   /// The octant's box.
-  [[nodiscard]] cube box() const { return at.octant(subject); }
+  [[nodiscard]] cube box() const { return answered.octant(subject); }
 };
 
 /// Asks the traversal and the oracles; `kind` is among the findings of `t`, as after shrink().
-reproduction reproduction_of(const trial& t, traversal& under_test, finding kind);
+/// `options` are what traversal_entry::asked_for() says; empty: the name is enough.
+reproduction reproduction_of(const trial& t, traversal& under_test, finding kind,
+                             const std::string& options = {});
 
 std::string reproducer_name(const reproduction& r);
 std::string reproducer_json(const reproduction& r);
@@ -46,6 +50,6 @@ expected<std::string> write_reproducer(const reproduction& r, const std::string&
 
 /// Shrinks the trial, keeping `kind`, and writes its reproducer.
 expected<std::string> write_reproducer(const trial& found, traversal& under_test, finding kind,
-                                       const std::string& folder);
+                                       const std::string& options, const std::string& folder);
 
 } // namespace graze::fuzz

@@ -109,12 +109,22 @@ struct traversal_entry {
   std::string_view summary;
   std::function<std::unique_ptr<traversal>()> make;
   std::string options{}; ///< how a user asks for it; empty: "--traversal NAME"
+
+  /// The options of graze-fuzz that choose it.
+  [[nodiscard]] std::string asked_for() const {
+    return options.empty() ? "--traversal " + std::string(name) : options;
+  }
 };
 
 /// All that can be chosen, the sound ones first.
 const std::vector<traversal_entry>& traversals();
 /// The traversals that are wrong on purpose: the harness is tested with them.
 const std::vector<traversal_entry>& mutants();
+/// Traversals of others, written here from their papers: examples to copy (fuzz/src/adapters).
+const std::vector<traversal_entry>& adapters();
+/// What the program has added, before it runs anything: traversals that it links to.
+const std::vector<traversal_entry>& linked_traversals();
+void add_traversals(const std::vector<traversal_entry>& more);
 /// Null when there is none of this name (mutants are named "mutant-...").
 const traversal_entry* find_traversal(std::string_view name);
 

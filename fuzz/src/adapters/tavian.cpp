@@ -1,0 +1,41 @@
+#include "adapters.hpp"
+#include "box_traversal.hpp"
+
+namespace graze::fuzz {
+
+namespace {
+
+/// Tavian Barnes 2022, "Fast, branchless ray/bounding box intersections, part 3: boundaries": no
+/// sign is looked at; minima and maxima, in an order in which NaN counts as inside.
+class tavian {
+public:
+  tavian(const vec3& origin, const vec3& direction) : origin_(origin) {
+    for (unsigned a = 0; a < 3; ++a)
+      inverse_[a] = 1 / direction[a];
+  }
+
+  bool operator()(const vec3& lo, const vec3& hi) const {
+    double enter = 0, leave = INFINITY;
+    for (unsigned a = 0; a < 3; ++a) {
+      const double first = (lo[a] - origin_[a]) * inverse_[a];
+      const double second = (hi[a] - origin_[a]) * inverse_[a];
+      enter = min(max(first, enter), max(second, enter));
+      leave = max(min(first, leave), min(second, leave));
+    }
+    return enter <= leave;
+  }
+
+private:
+  // as minsd and maxsd: the second operand where one is NaN
+  static double min(double x, double y) { return x < y ? x : y; }
+  static double max(double x, double y) { return x > y ? x : y; }
+  vec3 origin_, inverse_{};
+};
+
+} // namespace
+
+std::unique_ptr<traversal> make_tavian(std::string_view name) {
+  return std::make_unique<box_traversal<tavian>>(name);
+}
+
+} // namespace graze::fuzz
