@@ -71,8 +71,11 @@ template <class L, Surface F> class certified_search {
 public:
   static constexpr std::size_t count = L::count;
   static constexpr unsigned all = (1u << count) - 1;
-  /// Intervals of t looked at before a ray is given up as undecided.
-  static constexpr int most_steps = 10'000;
+  /// A ray that takes more steps is looked at more and more coarsely, so that it comes to an end:
+  /// one through a root of high order.
+  static constexpr int patience = 500;
+  /// Steps after which a ray is given up as undecided, whatever the formula does.
+  static constexpr int most_steps = 2000;
 
   explicit GRAZE_BATCH_INLINE certified_search(const F& f) : f_(f) {}
 
@@ -201,10 +204,12 @@ public:
 
     // Neither: X is cut to N, moved on where N reaches beyond u, or halved where that gains little
     const unsigned open = ~(passed | proven) & all;
-    const unsigned contracted = open & monotone & shorter;
+    // twice, so that X after a blurred one, which is as long as least_ but for rounding, is short
+    const unsigned too_short =
+        open & L::less_equal(width, L::mul_up(L::load(least_), L::broadcast(2)));
+    const unsigned blurred = too_short | (converged & ~inside);
+    const unsigned contracted = open & ~too_short & monotone & shorter;
     const unsigned beyond = contracted & L::less(u, n_hi);
-    const unsigned short_ = L::less_equal(width, L::load(least_));
-    const unsigned blurred = (open & ~contracted & short_) | (converged & ~inside);
     const unsigned learnt =
         contracted & L::less(t, n_lo); // g(t) is on the side from which it comes
     positive |= learnt & falls;
@@ -216,13 +221,18 @@ public:
     near = L::chosen(blurred, L::min(near, blurred_lo), near);
     far = L::chosen(blurred, L::max(far, blurred_hi), far);
     least = L::chosen(blurred, L::max(least, L::sub_up(far, near)), least);
+    const number steps = L::add_up(L::load(steps_), L::broadcast(1));
+    least =
+        L::chosen(L::less(L::broadcast(patience), steps), L::mul_up(least, L::broadcast(2)), least);
     const number new_t =
         L::chosen(passed, u, L::chosen(blurred, blurred_hi, L::chosen(contracted | proven, a, t)));
-    const number reach = L::sub_up(L::min(n_hi, L::add_up(u, width)), a);
-    const number length = L::chosen(
-        passed, L::mul_up(width, L::broadcast(growth)),
-        L::chosen(blurred, least,
-                  L::chosen(beyond, L::mul_up(reach, L::broadcast(1.25)), L::mul_up(width, half))));
+    // a little more than N, so that the next N is within
+    const number reach =
+        L::max(L::mul_up(L::sub_up(L::min(n_hi, L::add_up(u, width)), a), L::broadcast(1.25)),
+               L::mul_up(least, L::broadcast(8)));
+    const number length =
+        L::chosen(passed, L::mul_up(width, L::broadcast(growth)),
+                  L::chosen(blurred, least, L::chosen(beyond, reach, L::mul_up(width, half))));
     number new_u = L::min(L::add_up(new_t, length), end);
     new_u = L::chosen((proven | (contracted & ~beyond)) & ~blurred, b, new_u);
     L::store(t_, new_t);
@@ -230,7 +240,6 @@ public:
     L::store(near_, near);
     L::store(far_, far);
     L::store(least_, least);
-    const number steps = L::add_up(L::load(steps_), L::broadcast(1));
     L::store(steps_, steps);
 
     was_positive_ |= blurred & positive;
@@ -243,8 +252,8 @@ public:
                              L::less_equal(L::load(entry_up_), near) &
                              L::less_equal(far, L::load(exit_down_));
     hit_ = (converged & inside) | changed;
-    given_up_ = L::less(L::broadcast(most_steps), steps);
     const unsigned ended = (passed | blurred) & L::less_equal(end, new_t);
+    given_up_ = L::less(L::broadcast(most_steps), steps);
     const unsigned finished = (hit_ | ended | given_up_) & active_;
     active_ &= ~finished;
     return finished;
