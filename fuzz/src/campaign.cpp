@@ -29,7 +29,8 @@ constexpr finding_set faults_of_answers =
 
 /// Rays are handed out in pieces of this many.
 constexpr std::uint64_t piece = 1024;
-/// A traversal is asked this many at a time.
+/// A traversal is asked this many at a time, after fewer: 1, 2, 4 and so on, so that the first
+/// answers of a slow one do not wait for the others.
 constexpr std::size_t asked_at_once = 64;
 
 /// What the threads share.
@@ -42,6 +43,7 @@ struct shared_state {
   std::atomic<std::uint64_t> next{0}; ///< rays handed out
   std::atomic<std::uint64_t> done{0};
   std::atomic<unsigned> running{0};
+  std::atomic<bool> found{false}; ///< what ends a campaign that runs until a finding
   std::mutex merging;
   campaign_result result;
 };
@@ -49,7 +51,8 @@ struct shared_state {
 void work(shared_state& shared) {
   const campaign_plan& plan = shared.plan;
   const auto under_test = plan.under_test->make();
-  const std::uint64_t kinds = plan.generators.size();
+  const std::size_t kinds = plan.generators.size();
+  trial_source source(plan);
   std::vector<counts> by_generator(kinds);
   decltype(campaign_result::first) first(kinds);
   std::optional<double> first_miss;
@@ -58,18 +61,23 @@ void work(shared_state& shared) {
 
   const auto one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
     const verdict v = judge_answer(t, answer, under_test->promises());
-    by_generator[ray % kinds].add(v);
+    const std::size_t of = generator_of(plan, ray);
+    by_generator[of].add(v);
     if (v.findings == 0)
       return;
     if (!first_miss && (v.findings & misses_and_gaps) != 0)
       first_miss = since(shared.start);
     for (unsigned k = 0; k < finding_kinds; ++k)
       if ((v.findings >> k & 1) != 0)
-        keep_lower(first[ray % kinds][k], ray);
+        keep_lower(first[of][k], ray);
+    if (plan.until_finding)
+      shared.found.store(true, std::memory_order_relaxed);
   };
 
+  std::size_t at_once = 1;
   const auto expired = [&] {
     return shared.stop.load(std::memory_order_relaxed) ||
+           shared.found.load(std::memory_order_relaxed) ||
            (plan.seconds != 0 && since(shared.start) >= plan.seconds);
   };
   while (!expired()) {
@@ -79,9 +87,10 @@ void work(shared_state& shared) {
     const std::uint64_t to = plan.rays != 0 ? std::min(from + piece, plan.rays) : from + piece;
     // a traversal in another process may be slow: what is left of a piece is dropped in time
     for (std::uint64_t k = from; k < to && (k == from || !expired());) {
-      const std::size_t count = std::min<std::uint64_t>(asked_at_once, to - k);
+      const std::size_t count = std::min<std::uint64_t>(at_once, to - k);
+      at_once = std::min(2 * at_once, asked_at_once);
       for (std::size_t i = 0; i < count; ++i)
-        asked[i] = trial_of(plan, plan.first_ray + k + i);
+        asked[i] = source.at(plan.first_ray + k + i);
       std::size_t answered = 0;
       while (answered < count && (answered == 0 || !expired())) {
         const std::size_t some =
@@ -110,6 +119,15 @@ void work(shared_state& shared) {
 
 } // namespace
 
+std::string_view name_of(search s) { return s == search::climb ? "climb" : "generators"; }
+
+std::optional<search> search_of(std::string_view name) {
+  for (const search s : {search::generators, search::climb})
+    if (name_of(s) == name)
+      return s;
+  return std::nullopt;
+}
+
 void counts::add(const verdict& v) {
   ++rays;
   if (v.declined)
@@ -120,6 +138,7 @@ void counts::add(const verdict& v) {
   misses += size_of(v.missed);
   rays_with_miss += v.missed != 0 ? 1 : 0;
   crossed_missed += size_of(v.crossed_missed);
+  gross_missed += size_of(v.gross_missed);
   touched_missed += size_of(v.touched_missed);
   gaps += v.gaps;
   visited += size_of(v.visited);
@@ -140,6 +159,7 @@ counts& counts::operator+=(const counts& other) {
   misses += other.misses;
   rays_with_miss += other.rays_with_miss;
   crossed_missed += other.crossed_missed;
+  gross_missed += other.gross_missed;
   touched_missed += other.touched_missed;
   gaps += other.gaps;
   visited += other.visited;
@@ -162,10 +182,41 @@ std::optional<finding> campaign_result::worst_finding() const {
 }
 
 trial trial_of(const campaign_plan& plan, std::uint64_t index) {
+  return trial_source(plan).at(index);
+}
+
+std::size_t generator_of(const campaign_plan& plan, std::uint64_t index) {
+  return (plan.by == search::climb ? index / climb_length : index) % plan.generators.size();
+}
+
+namespace {
+
+trial generated(const campaign_plan& plan, std::uint64_t index) {
   const std::uint64_t kinds = plan.generators.size();
   const auto levels = static_cast<std::uint64_t>(std::max(1, plan.last_level - plan.level + 1));
   const int level = plan.level + static_cast<int>(index / kinds % levels);
   return make_trial(*plan.generators[index % kinds], plan.seed, index, level);
+}
+
+} // namespace
+
+trial trial_source::at(std::uint64_t index) {
+  if (plan_.by == search::generators)
+    return generated(plan_, index);
+  const std::uint64_t number = index / climb_length;
+  const std::uint64_t start = number * climb_length;
+  if (!climber_ || next_ != index || index == start) {
+    climber_.emplace(generated(plan_, number), plan_.seed, number);
+    next_ = start + 1;
+    if (index == start)
+      return climber_->at();
+    while (next_ < index) {
+      climber_->next();
+      ++next_;
+    }
+  }
+  ++next_;
+  return climber_->next();
 }
 
 campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,

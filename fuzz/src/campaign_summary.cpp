@@ -72,10 +72,10 @@ std::string first_line(const std::string& path) {
 
 std::string row(std::string_view name, const counts& c) {
   return fmt::format(
-      "<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+      "<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
       "<td>{}</td><td>{:.4f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-      escaped(name), c.rays, c.touched, c.misses, c.crossed_missed, c.gaps, c.spurious,
-      100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits, c.findings);
+      escaped(name), c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
+      c.spurious, 100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits, c.findings);
 }
 
 const char* const style = R"(<style>
@@ -124,10 +124,10 @@ std::string to_text(const merged_campaign& m, const campaign_plan& plan) {
     return text + "nothing found\n";
   constexpr std::size_t shown = 10;
   for (std::size_t i = 0; i < std::min(findings.size(), shown); ++i)
-    text += fmt::format("{:<15} ray {}, in {} piece{}: graze-fuzz replay {} --traversal {}\n",
+    text += fmt::format("{:<15} ray {}, in {} piece{}: graze-fuzz replay {} {}\n",
                         name_of(findings[i].second.kind), findings[i].second.ray,
                         findings[i].second.pieces, findings[i].second.pieces == 1 ? "" : "s",
-                        m.files.at(findings[i].first), plan.under_test->name);
+                        m.files.at(findings[i].first), plan.under_test->asked_for());
   return text + (findings.size() > shown ? fmt::format("... {} findings in all\n", findings.size())
                                          : std::string());
 }
@@ -163,15 +163,15 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
                                : fmt::format("{} findings after shrinking, on {} rays",
                                              m.state.findings.size(), total.findings));
   page += "<table>\n<tr><th>generator</th><th>rays</th><th>touched</th><th>misses</th>"
-          "<th>crossed</th><th>gaps</th><th>spurious</th><th>% of visits</th><th>far</th>"
+          "<th>crossed</th><th>gross</th><th>gaps</th><th>spurious</th><th>% of visits</th><th>far</th>"
           "<th>order</th><th>revisit</th><th>rays with a finding</th></tr>\n";
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     page += row(plan.generators[g]->name, m.state.by_generator[g]);
   page += row("all", total) + "</table>\n";
   if (!m.state.findings.empty()) {
     page += "<h2>Findings</h2>\n<table class=\"findings\">\n<tr><th>kind</th><th>first ray</th>"
-            "<th>generator</th><th>pieces</th><th>shrunk (graze-fuzz replay FILE --traversal " +
-            escaped(m.plan.traversal) + ")</th></tr>\n";
+            "<th>generator</th><th>pieces</th><th>shrunk (graze-fuzz replay FILE " +
+            escaped(plan.under_test->asked_for()) + ")</th></tr>\n";
     for (const auto& [hash, known] : sorted_findings(m)) {
       const std::string& file = m.files.at(hash);
       std::error_code error;
@@ -179,7 +179,7 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
       page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
                           "<td><a href=\"{}\">{}</a><br><code>{}</code></td></tr>\n",
                           name_of(known.kind), known.ray,
-                          plan.generators[known.ray % plan.generators.size()]->name, known.pieces,
+                          plan.generators[generator_of(plan, known.ray)]->name, known.pieces,
                           address(error ? file : link.string()), hash, escaped(first_line(file)));
     }
     page += "</table>\n";
