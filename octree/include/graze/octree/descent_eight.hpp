@@ -177,7 +177,7 @@ void first_hits_eight(const F& f, const box& domain, const sparse_octree& octree
   using method = sound_eight<Path, convention::owned>;
   using progress = first_hit_in_progress<F, method, B>;
   const typename method::scope scope;
-  if (progress::flushes()) {
+  if (results_are_flushed()) {
     for (std::size_t i = 0; i < count; ++i)
       hits[i] = progress::nothing_proven();
     return;

@@ -193,6 +193,12 @@ private:
   bool any_ = false, unresolved_ = false;
 };
 
+/// Whether results are flushed to zero even within the scopes: nothing is proven then.
+[[nodiscard, gnu::always_inline]] inline bool results_are_flushed() {
+  constexpr unsigned flush_bits = 0x8040; // MXCSR: FTZ and DAZ
+  return (_mm_getcsr() & flush_bits) != 0;
+}
+
 /// How the rays of a surface_traversal go down by the method M: here, by descend(). Specialized for
 /// methods that look at eight children at a time (descent_eight.hpp).
 template <Method M> struct surface_descent {
@@ -264,11 +270,6 @@ public:
     return result_;
   }
 
-  /// Whether results are flushed to zero even within the scopes: nothing is proven then.
-  [[nodiscard]] static bool flushes() {
-    constexpr unsigned flush_bits = 0x8040; // MXCSR: FTZ and DAZ
-    return (_mm_getcsr() & flush_bits) != 0;
-  }
   [[nodiscard]] static surface_hit nothing_proven() {
     return {verdict::undecided, 0, infinity, {{}, 0}, false};
   }
@@ -318,7 +319,7 @@ public:
   [[nodiscard]] surface_hit first_hit(const ray& r, traversal_counts* counts = nullptr) const {
     [[maybe_unused]] const typename M::scope method_scope;
     [[maybe_unused]] const surface_scope scope;
-    if (progress::flushes())
+    if (results_are_flushed())
       return progress::nothing_proven();
     traversal_counts seen;
     progress found(surface_, domain_, r);
