@@ -485,7 +485,11 @@ node expressions::emit(const sum_form& f) {
     first.emplace_back(n, negative);
   }
   terms.insert(terms.begin(), first.begin(), first.end());
-  std::stable_partition(terms.begin(), terms.end(), [](const auto& t) { return !t.second; });
+  // one that is added first, if there is one
+  const auto added =
+      std::find_if(terms.begin(), terms.end(), [](const auto& t) { return !t.second; });
+  if (added != terms.end())
+    std::rotate(terms.begin(), added, added + 1);
   node r = terms[0].second ? intern(opcode::neg, terms[0].first) : terms[0].first;
   for (std::size_t i = 1; i < terms.size(); ++i)
     r = intern(terms[i].second ? opcode::sub : opcode::add, r, terms[i].first);

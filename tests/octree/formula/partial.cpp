@@ -3,7 +3,7 @@
 #include "../surface_judge.hpp"
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <graze/octree/lazy_octree.hpp>
+#include <graze/octree/certified_hit.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <graze/octree_formula/lane_kernels.hpp>
@@ -115,6 +115,28 @@ TEST_CASE("octree.formula: rays find the zeros of partial surfaces, and no other
   CHECK(behind.outcome == verdict::hit);
   CHECK(behind.t_near <= 3.25);
   CHECK(3.25 <= behind.t_far);
+}
+
+TEST_CASE("octree.formula: certified hits of partial surfaces are zeros", "[unit]") {
+  const auto toward = [](const char* text) {
+    const formula f = parsed(text);
+    const auto t = certified_traversal<formula_surface>::make(f.surface(), unit);
+    REQUIRE(t);
+    return t->first_hit(*ray::make({-3, .3, .2}, {1, 0, 0}));
+  };
+  for (const char* text : {"x-1/4", "(x-1/4)/(x+2)", "1/(x-1/3)+12", "log(x+3/4)", "4-1/x",
+                           "sqrt(x+3/4)-1", "atan2(x-1/4,y)", "x^1.5-1/8", "1/(x+1/2)-4/3"}) {
+    INFO(text);
+    const certified_hit h = toward(text);
+    CHECK(h.outcome == verdict::hit);
+    CHECK(h.t_near <= 3.25);
+    CHECK(3.25 <= h.t_far);
+  }
+  for (const char* text : {"1/(x-1/4)", "sign(x-1/4)+y/8", "(x-1/4)/abs(x-1/4)",
+                           "atan2(y*0+x-1/4,-1)+1/8", "floor(x+3/4)+1/3", "sqrt(x-2)"}) {
+    INFO(text);
+    CHECK(toward(text).outcome != verdict::hit);
+  }
 }
 
 TEST_CASE("octree.formula: at an edge of its domain a surface is not lost", "[hardcase]") {

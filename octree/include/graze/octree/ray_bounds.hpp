@@ -116,7 +116,8 @@ template <rounding::Backend B> struct ray_bounds {
       const bits below = (bits)(both(p) < both(a.origin));
       const bits past =
           C == convention::owned ? not_above : (not_above & bits{-1, 0}) | (below & bits{0, -1});
-      return interval_of((pair)((bits)both(infinity) ^ (past & bits{sign, sign})));
+      return interval_of((pair)((bits)both(infinity) ^
+                                (past & bits{rounding::packed::sign, rounding::packed::sign})));
     }
 #endif
     return {enter_at(a, p), leave_at<C>(a, p)};
