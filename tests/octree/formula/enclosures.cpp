@@ -189,8 +189,9 @@ TEST_CASE("octree.formula: polynomials in one variable have their range, but for
     for (int k = degree; k >= 0; --k) {
       const double value = k == degree ? 1 : std::nearbyint(random.in(-9, 9)) / 2;
       c.push_back(value);
-      text += (value < 0 ? "-" : "+") + std::to_string(std::fabs(value)) +
-              (k > 0 ? std::string("*x^").append(std::to_string(k)) : "");
+      text.append(value < 0 ? "-" : "+").append(std::to_string(std::fabs(value)));
+      if (k > 0)
+        text.append("*x^").append(std::to_string(k));
     }
     const auto f = formula::parse(text);
     REQUIRE(f);
