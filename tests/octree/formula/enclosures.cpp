@@ -28,17 +28,6 @@ box some_box(judge::random_source& random) {
   }
   return b;
 }
-vec3 some_point(judge::random_source& random, const box& b) {
-  vec3 p;
-  for (int a = 0; a < 3; ++a) {
-    const unsigned where = random.below(4);
-    p[a] = where == 0   ? b.lo[a]
-           : where == 1 ? b.hi[a]
-                        : std::clamp(random.in(b.lo[a], b.hi[a]), b.lo[a], b.hi[a]);
-  }
-  return p;
-}
-
 /// Up to a slack for the judge's own error.
 template <class I> bool holds(const I& x, const real& v, const real& relative) {
   const real slack = relative * (1 + abs(v));
@@ -117,7 +106,7 @@ void examine(tally& t, judge::random_source& random, const oracle::tree& tree, i
       complain("one partial is not the first of three", b.lo);
     t.continuous += continuous;
     for (int k = 0; k < 3; ++k) {
-      const vec3 p = some_point(random, b);
+      const vec3 p = judge::some_point(random, b);
       const std::array<real, 3> at{real(p[0]), real(p[1]), real(p[2])};
       oracle::tree::gave_up = false;
       const auto exact = tree(at);
