@@ -1,6 +1,8 @@
 // Compiled once, with the library's own flags: a header would meet the user's -ffp-contract.
 #include <graze/render/camera.hpp>
 
+#include <algorithm>
+
 namespace graze::render {
 
 camera camera::standard(double scale) {
@@ -10,16 +12,17 @@ camera camera::standard(double scale) {
           {-0x1.06p-1, 0x1.eaap+1, -0x1.05cp+0}}; // 131/256, 3925/1024, 1047/1024
 }
 
-octree::ray camera::ray_through(int column, int row, int size) const {
-  const double u = static_cast<double>(2 * column + 1 - size) / static_cast<double>(2 * size);
-  const double v = static_cast<double>(size - 1 - 2 * row) / static_cast<double>(2 * size);
+octree::ray camera::ray_through(int column, int row, int width, int height) const {
+  const auto side = static_cast<double>(2 * std::min(width, height));
+  const double u = static_cast<double>(2 * column + 1 - width) / side;
+  const double v = static_cast<double>(height - 1 - 2 * row) / side;
   vec3 direction;
-  for (int a = 0; a < 3; ++a) {
+  for (std::size_t a = 0; a < 3; ++a) {
     const double across = u * right[a];
     const double upward = v * up[a];
     direction[a] = (centre[a] + across) + upward;
   }
-  return *octree::ray::make(eye, direction); // z is below -4.5: never refused
+  return *octree::ray::make(eye, direction); // finite and not 0: see the header
 }
 
 } // namespace graze::render

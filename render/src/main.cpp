@@ -16,6 +16,7 @@ using namespace graze::render;
 
 struct request {
   std::string scene_name;
+  std::string mode = "cast";
   int levels = 30;
   int octree_level = 9;
   int size = 512;
@@ -65,7 +66,7 @@ void describe(picture& image, const request& r, const scene& s, const rendering&
 void print_summary(const request& r, const caster& work, double octree_seconds,
                    const rendering& result) {
   const tally& c = result.counts;
-  const double rate = result.seconds > 0 ? static_cast<double>(c.rays) / result.seconds : 0;
+  const double rate = result.seconds > 0 ? static_cast<double>(c.rays()) / result.seconds : 0;
   if (r.json) {
     const nlohmann::ordered_json line = {{"scene", r.scene_name},
                                          {"levels", r.levels},
@@ -74,7 +75,13 @@ void print_summary(const request& r, const caster& work, double octree_seconds,
                                          {"threads", r.threads},
                                          {"output", r.output},
                                          {"complete", result.complete},
-                                         {"rays", c.rays},
+                                         {"mode", r.mode},
+                                         {"pixels", c.pixels},
+                                         {"rays", c.rays()},
+                                         {"shadow_rays", c.shadow_rays},
+                                         {"reflected_rays", c.reflected_rays},
+                                         {"secondary_undecided", c.secondary_undecided},
+                                         {"longest_shift", c.longest_shift},
                                          {"hits", c.hits},
                                          {"misses", c.misses},
                                          {"undecided", c.undecided},
@@ -88,7 +95,7 @@ void print_summary(const request& r, const caster& work, double octree_seconds,
   }
   fmt::print("{} {}x{} NL {}: {} rays in {:.2f} s, {}rays/s, {} hits, {} misses, {} undecided, "
              "{:.1f} octants a ray; octree of {} leaves in {:.2f} s; {}\n",
-             r.scene_name, r.size, r.size, r.levels, c.rays, result.seconds, three_digits(rate),
+             r.scene_name, r.size, r.size, r.levels, c.rays(), result.seconds, three_digits(rate),
              c.hits, c.misses, c.undecided, c.octants_a_ray(), work.octree_leaves(), octree_seconds,
              r.output);
 }
@@ -103,12 +110,15 @@ int render_to_file(const request& r) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   progress_line line(r.progress ? progress_line::mode::always : progress_line::mode::automatic);
-  const rendering result = cast(s, **work, {r.size, static_cast<unsigned>(r.threads)}, &stop_wanted,
-                                [&](std::uint64_t done_rays, std::uint64_t rays, double seconds) {
-                                  line.show(done_rays, rays, seconds);
-                                });
+  const settings how = {r.size, static_cast<unsigned>(r.threads),
+                        r.mode == "trace" ? mode::trace : mode::cast};
+  const rendering result =
+      render_picture(s, **work, how, &stop_wanted,
+                     [&](std::uint64_t done_pixels, std::uint64_t pixels, double seconds) {
+                       line.show(done_pixels, pixels, seconds);
+                     });
   line.clear();
-  if (result.counts.rays == 0)
+  if (result.counts.pixels == 0)
     return complain(interrupted, "interrupted before the first tile; nothing written");
 
   picture image = to_picture(result);
@@ -123,7 +133,7 @@ int render_to_file(const request& r) {
   if (result.complete)
     return done;
   return complain(interrupted, fmt::format("interrupted: {} is a partial picture, {} of {} pixels",
-                                           r.output, result.counts.rays, result.pixels.size()));
+                                           r.output, result.counts.pixels, result.pixels.size()));
 }
 
 } // namespace
@@ -142,6 +152,10 @@ int main(int argc, char** argv) {
          "The picture: .png (8-bit sRGB) or .exr (linear float R, G, B and Z, the distance\n"
          "from the eye)")
       ->required();
+  app.add_option("--mode", r.mode,
+                 "cast: light only; trace: shadows and 5 levels of reflection too")
+      ->check(CLI::IsMember({"cast", "trace"}))
+      ->capture_default_str();
   app.add_option("--size", r.size, "Pixels a side")->capture_default_str();
   app.add_option("--octree-level", r.octree_level, "Depth of the stored octree, at most NL")
       ->capture_default_str();
