@@ -6,7 +6,7 @@ graze_packages=(
   libtbb-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev
   clang-19 libclang-rt-19-dev
   coq libcoq-flocq ocaml-nox ocaml-findlib libzarith-ocaml-dev gappa
-  python3 python3-venv
+  python3 python3-venv python3-distributed
 )
 
 # Cargo fetches the pinned sources of CORE-MATH and CRlibm. Debian's own cargo (1.65) is too old for

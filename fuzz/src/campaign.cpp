@@ -42,6 +42,7 @@ struct shared_state {
   std::atomic<std::uint64_t> next{0}; ///< rays handed out
   std::atomic<std::uint64_t> done{0};
   std::atomic<unsigned> running{0};
+  std::atomic<bool> found{false}; ///< what ends a campaign that runs until a finding
   std::mutex merging;
   campaign_result result;
 };
@@ -49,7 +50,8 @@ struct shared_state {
 void work(shared_state& shared) {
   const campaign_plan& plan = shared.plan;
   const auto under_test = plan.under_test->make();
-  const std::uint64_t kinds = plan.generators.size();
+  const std::size_t kinds = plan.generators.size();
+  trial_source source(plan);
   std::vector<counts> by_generator(kinds);
   decltype(campaign_result::first) first(kinds);
   std::optional<double> first_miss;
@@ -58,18 +60,22 @@ void work(shared_state& shared) {
 
   const auto one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
     const verdict v = judge_answer(t, answer, under_test->promises());
-    by_generator[ray % kinds].add(v);
+    const std::size_t of = generator_of(plan, ray);
+    by_generator[of].add(v);
     if (v.findings == 0)
       return;
     if (!first_miss && (v.findings & misses_and_gaps) != 0)
       first_miss = since(shared.start);
     for (unsigned k = 0; k < finding_kinds; ++k)
       if ((v.findings >> k & 1) != 0)
-        keep_lower(first[ray % kinds][k], ray);
+        keep_lower(first[of][k], ray);
+    if (plan.until_finding)
+      shared.found.store(true, std::memory_order_relaxed);
   };
 
   const auto expired = [&] {
     return shared.stop.load(std::memory_order_relaxed) ||
+           shared.found.load(std::memory_order_relaxed) ||
            (plan.seconds != 0 && since(shared.start) >= plan.seconds);
   };
   while (!expired()) {
@@ -81,7 +87,7 @@ void work(shared_state& shared) {
     for (std::uint64_t k = from; k < to && (k == from || !expired());) {
       const std::size_t count = std::min<std::uint64_t>(asked_at_once, to - k);
       for (std::size_t i = 0; i < count; ++i)
-        asked[i] = trial_of(plan, plan.first_ray + k + i);
+        asked[i] = source.at(plan.first_ray + k + i);
       std::size_t answered = 0;
       while (answered < count && (answered == 0 || !expired())) {
         const std::size_t some =
@@ -162,10 +168,41 @@ std::optional<finding> campaign_result::worst_finding() const {
 }
 
 trial trial_of(const campaign_plan& plan, std::uint64_t index) {
+  return trial_source(plan).at(index);
+}
+
+std::size_t generator_of(const campaign_plan& plan, std::uint64_t index) {
+  return (plan.by == search::climb ? index / climb_length : index) % plan.generators.size();
+}
+
+namespace {
+
+trial generated(const campaign_plan& plan, std::uint64_t index) {
   const std::uint64_t kinds = plan.generators.size();
   const auto levels = static_cast<std::uint64_t>(std::max(1, plan.last_level - plan.level + 1));
   const int level = plan.level + static_cast<int>(index / kinds % levels);
   return make_trial(*plan.generators[index % kinds], plan.seed, index, level);
+}
+
+} // namespace
+
+trial trial_source::at(std::uint64_t index) {
+  if (plan_.by == search::generators)
+    return generated(plan_, index);
+  const std::uint64_t number = index / climb_length;
+  const std::uint64_t start = number * climb_length;
+  if (!climber_ || next_ != index || index == start) {
+    climber_.emplace(generated(plan_, number), plan_.seed, number);
+    next_ = start + 1;
+    if (index == start)
+      return climber_->at();
+    while (next_ < index) {
+      climber_->next();
+      ++next_;
+    }
+  }
+  ++next_;
+  return climber_->next();
 }
 
 campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,

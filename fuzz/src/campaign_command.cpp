@@ -10,6 +10,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include "command_options.hpp"
 #include "program.hpp"
 
 namespace graze::fuzz {
@@ -18,6 +19,7 @@ struct campaign_options {
   CLI::App* campaign = nullptr;
   CLI::App* summary = nullptr;
   stored_plan plan;
+  command_options command;
   std::string folder;
   std::vector<std::string> generators;
   std::string shard = "1/1";
@@ -58,6 +60,8 @@ std::vector<std::string> given_members(const CLI::App& campaign) {
   for (const auto& [option, member] : members)
     if (campaign.count(option) != 0)
       given.emplace_back(member);
+  if (campaign.count("--command") != 0)
+    given.insert(given.end(), {"traversal", "external"});
   if (campaign.count("--shard") != 0)
     given.insert(given.end(), {"shard", "shards"});
   return given;
@@ -118,12 +122,30 @@ int campaign(campaign_options& options) {
     for (const generator& g : generators())
       options.plan.generators.emplace_back(g.name);
   }
+  expected<traversal_entry> started = unexpected{std::string()};
+  if (!options.command.external.command.empty()) {
+    auto external = external_of(options.command);
+    if (!external)
+      return bad_input(external.reason());
+    options.plan.traversal = external->command;
+    options.plan.external = *external;
+    if (started = external_traversal(*external); !started)
+      return bad_input(started.reason());
+  }
   auto store = campaign_store::open(options.folder, options.plan, given_members(*options.campaign));
   if (!store)
     return bad_input(store.reason());
-  const auto plan = resolve(store->plan());
+  auto plan = resolve(store->plan());
   if (!plan)
     return bad_input(plan.reason());
+  if (store->plan().external) {
+    if (!started)
+      started = external_traversal(*store->plan().external);
+    if (!started)
+      return bad_input(started.reason());
+    plan->owned = std::make_shared<const traversal_entry>(*started);
+    plan->under_test = plan->owned.get();
+  }
 
   listen_for_interrupts();
   const stored_plan& stored = store->plan();
@@ -193,12 +215,15 @@ campaign_commands::campaign_commands(CLI::App& app)
 Examples:
   graze-fuzz campaign DIR --traversal plain --level 1-50 --rays 1000000000 --seed 2026
   graze-fuzz campaign DIR                               goes on where it was
+  graze-fuzz campaign DIR1 --command "python3 my_traversal.py" --float
   graze-fuzz campaign DIR2 --shard 2/8 ...              every eighth piece, on another machine
   graze-fuzz summary DIR DIR2...                        shards together, and a page
 
 Exit code: 0 nothing found, 1 a finding, 2 bad input or a folder that cannot be written.)");
   c->add_option("folder", o.folder, "The campaign's folder; made, or gone on with")->required();
-  c->add_option("--traversal", o.plan.traversal, "What is under test")->capture_default_str();
+  CLI::Option* named =
+      c->add_option("--traversal", o.plan.traversal, "What is under test")->capture_default_str();
+  add_command_options(*c, *named, o.command);
   c->add_option("--level", o.plan.level, "Level of the octants, 1 to 53, or a range: 1-50")
       ->capture_default_str();
   c->add_option("--generator", o.generators, "Names of generators, or all (the default)")

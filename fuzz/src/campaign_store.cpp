@@ -65,11 +65,41 @@ bool sync_folder(const std::string& folder) {
   return d.get() >= 0 && fsync(d.get()) == 0;
 }
 
+json to_json(const std::optional<external_options>& e) {
+  return e ? json{{"promise", e->promised ? json(name_of(*e->promised)) : json()},
+                  {"plain", e->format == line_format::plain},
+                  {"float", e->as_float},
+                  {"timeout", e->seconds_a_ray}}
+           : json();
+}
+
 json to_json(const stored_plan& p) {
-  return json{{"graze_campaign", 1},  {"traversal", p.traversal}, {"generators", p.generators},
-              {"level", p.level},     {"seed", p.seed},           {"rays", p.rays},
-              {"seconds", p.seconds}, {"piece", p.piece},         {"shard", p.shard},
+  return json{{"graze_campaign", 1},
+              {"traversal", p.traversal},
+              {"external", to_json(p.external)},
+              {"generators", p.generators},
+              {"level", p.level},
+              {"seed", p.seed},
+              {"rays", p.rays},
+              {"seconds", p.seconds},
+              {"piece", p.piece},
+              {"shard", p.shard},
               {"shards", p.shards}};
+}
+
+/// Throws what is wrong with it.
+external_options read_external(const json& object, std::string command) {
+  external_options e;
+  e.command = std::move(command);
+  if (const json& promised = object.at("promise"); !promised.is_null()) {
+    e.promised = promise_of(promised.get<std::string>());
+    if (!e.promised)
+      throw std::invalid_argument("there is no such promise");
+  }
+  e.format = object.at("plain").get<bool>() ? line_format::plain : line_format::json;
+  e.as_float = object.at("float").get<bool>();
+  e.seconds_a_ray = object.at("timeout").get<double>();
+  return e;
 }
 
 expected<stored_plan> read_plan(const std::string& path) {
@@ -85,6 +115,8 @@ expected<stored_plan> read_plan(const std::string& path) {
   };
   try {
     p.traversal = object.at("traversal").get<std::string>();
+    if (const json external = object.value("external", json()); !external.is_null())
+      p.external = read_external(external, p.traversal);
     p.generators = object.at("generators").get<std::vector<std::string>>();
     p.level = object.at("level").get<std::string>();
     p.seed = number("seed");
@@ -204,7 +236,13 @@ bool read_levels(std::string_view text, campaign_plan& plan) {
 
 expected<campaign_plan> resolve(const stored_plan& stored) {
   campaign_plan plan;
-  plan.under_test = find_traversal(stored.traversal);
+  if (stored.external) {
+    plan.owned = std::make_shared<const traversal_entry>(traversal_entry{
+        stored.traversal, "a traversal in another process", nullptr, spelled(*stored.external)});
+    plan.under_test = plan.owned.get();
+  } else {
+    plan.under_test = find_traversal(stored.traversal);
+  }
   if (plan.under_test == nullptr)
     return unexpected{
         fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", stored.traversal)};
@@ -318,8 +356,8 @@ std::string difference(const stored_plan& there, const stored_plan& wanted,
 }
 
 const std::vector<std::string>& common_members() {
-  static const std::vector<std::string> members{"traversal", "generators", "level",
-                                                "seed",      "rays",       "piece"};
+  static const std::vector<std::string> members{"traversal", "external", "generators", "level",
+                                                "seed",      "rays",     "piece"};
   return members;
 }
 

@@ -124,10 +124,10 @@ std::string to_text(const merged_campaign& m, const campaign_plan& plan) {
     return text + "nothing found\n";
   constexpr std::size_t shown = 10;
   for (std::size_t i = 0; i < std::min(findings.size(), shown); ++i)
-    text += fmt::format("{:<15} ray {}, in {} piece{}: graze-fuzz replay {} --traversal {}\n",
+    text += fmt::format("{:<15} ray {}, in {} piece{}: graze-fuzz replay {} {}\n",
                         name_of(findings[i].second.kind), findings[i].second.ray,
                         findings[i].second.pieces, findings[i].second.pieces == 1 ? "" : "s",
-                        m.files.at(findings[i].first), plan.under_test->name);
+                        m.files.at(findings[i].first), plan.under_test->asked_for());
   return text + (findings.size() > shown ? fmt::format("... {} findings in all\n", findings.size())
                                          : std::string());
 }
@@ -170,8 +170,8 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
   page += row("all", total) + "</table>\n";
   if (!m.state.findings.empty()) {
     page += "<h2>Findings</h2>\n<table class=\"findings\">\n<tr><th>kind</th><th>first ray</th>"
-            "<th>generator</th><th>pieces</th><th>shrunk (graze-fuzz replay FILE --traversal " +
-            escaped(m.plan.traversal) + ")</th></tr>\n";
+            "<th>generator</th><th>pieces</th><th>shrunk (graze-fuzz replay FILE " +
+            escaped(plan.under_test->asked_for()) + ")</th></tr>\n";
     for (const auto& [hash, known] : sorted_findings(m)) {
       const std::string& file = m.files.at(hash);
       std::error_code error;
@@ -179,7 +179,7 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
       page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
                           "<td><a href=\"{}\">{}</a><br><code>{}</code></td></tr>\n",
                           name_of(known.kind), known.ray,
-                          plan.generators[known.ray % plan.generators.size()]->name, known.pieces,
+                          plan.generators[generator_of(plan, known.ray)]->name, known.pieces,
                           address(error ? file : link.string()), hash, escaped(first_line(file)));
     }
     page += "</table>\n";

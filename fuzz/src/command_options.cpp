@@ -23,14 +23,8 @@ void add_command_options(CLI::App& app, CLI::Option& other, command_options& opt
       ->needs(command);
 }
 
-expected<traversal_entry> chosen_traversal(const std::string& name, const command_options& options,
-                                           bool show_errors) {
+expected<external_options> external_of(const command_options& options) {
   external_options external = options.external;
-  if (external.command.empty()) {
-    if (const traversal_entry* entry = find_traversal(name))
-      return *entry;
-    return unexpected{fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", name)};
-  }
   if (!std::isfinite(external.seconds_a_ray) || external.seconds_a_ray <= 0 ||
       external.seconds_a_ray > 1e6)
     return unexpected{"--timeout is not a number of seconds above 0, to 1e6"};
@@ -42,8 +36,21 @@ expected<traversal_entry> chosen_traversal(const std::string& name, const comman
                                     options.promised)};
   }
   external.format = options.plain ? line_format::plain : line_format::json;
-  external.show_errors = show_errors;
-  return external_traversal(external);
+  return external;
+}
+
+expected<traversal_entry> chosen_traversal(const std::string& name, const command_options& options,
+                                           bool show_errors) {
+  if (options.external.command.empty()) {
+    if (const traversal_entry* entry = find_traversal(name))
+      return *entry;
+    return unexpected{fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", name)};
+  }
+  auto external = external_of(options);
+  if (!external)
+    return unexpected{external.reason()};
+  external->show_errors = show_errors;
+  return external_traversal(*external);
 }
 
 } // namespace graze::fuzz

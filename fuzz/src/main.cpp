@@ -38,6 +38,8 @@ struct run_options {
   double seconds = 0;
   std::uint64_t rays = 0;
   std::uint64_t first_ray = 0;
+  std::string search = "generators";
+  bool until_finding = false;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::string save;
@@ -105,6 +107,8 @@ int run(const run_options& options) {
   plan.threads = options.threads;
   plan.rays = options.rays;
   plan.first_ray = options.first_ray;
+  plan.by = options.search == "climb" ? search::climb : search::generators;
+  plan.until_finding = options.until_finding;
   plan.seconds = options.seconds == 0 && options.rays == 0 ? 5 : options.seconds;
 
   const bool progress = options.progress || isatty(STDERR_FILENO) != 0;
@@ -134,7 +138,7 @@ int run(const run_options& options) {
       return bad_input(std::move(why));
   if (found && !options.reproducer.empty()) {
     const auto written = write_reproducer(
-        reproduction_of(found->shrunk, *plan.under_test->make(), found->kind, entry->options),
+        reproduction_of(found->shrunk, *plan.under_test->make(), found->kind, entry->asked_for()),
         options.reproducer);
     if (!written)
       return bad_input(written.reason());
@@ -165,7 +169,7 @@ int replay_file(const replay_options& options) {
       fmt::print(stderr, "graze-fuzz: line {}: the two oracles disagree: a bug of graze\n", c.line);
     std::string written;
     if (r.findings != 0 && !options.reproducer.empty()) {
-      const auto path = write_reproducer(c.at, *under_test, worst(r.findings), entry->options,
+      const auto path = write_reproducer(c.at, *under_test, worst(r.findings), entry->asked_for(),
                                          options.reproducer);
       if (!path)
         return bad_input(path.reason());
@@ -227,6 +231,12 @@ int main(int argc, char** argv) {
   run_command->add_option("--generator", run_with.generators, "Names of generators, or all")
       ->delimiter(',')
       ->capture_default_str();
+  run_command
+      ->add_option("--search", run_with.search,
+                   "generators: their rays; climb: from their rays towards the smallest margin")
+      ->check(CLI::IsMember({"generators", "climb"}))
+      ->capture_default_str();
+  run_command->add_flag("--until-finding", run_with.until_finding, "End at the first finding");
   run_command->add_option("--seconds", run_with.seconds,
                           "Budget of time (5, if no budget is given)");
   run_command->add_option("--rays", run_with.rays, "Budget of rays")->check(not_negative());

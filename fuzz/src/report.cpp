@@ -87,16 +87,14 @@ std::string describe(const campaign_plan& plan, const counterexample& c) {
   const trial& t = c.shrunk;
   std::string text = fmt::format("{} by {}, ray {} of seed {} ({}), shrunk:\n", name_of(c.kind),
                                  plan.under_test->name, c.ray, plan.seed,
-                                 plan.generators[c.ray % plan.generators.size()]->name);
+                                 plan.generators[generator_of(plan, c.ray)]->name);
   text += fmt::format("  origin    {}\n  direction {}\n  octant    {} size {}, level {}",
                       spelled(t.origin), spelled(t.direction), spelled(t.octant(0).lo),
                       hex(t.size()), t.level);
   if (std::popcount(t.all()) > 1)
     text += fmt::format(", the first of {} x {} x {}", t.extent[0], t.extent[1], t.extent[2]);
   return text + fmt::format("\nreplay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(t),
-                            plan.under_test->options.empty()
-                                ? fmt::format("--traversal {}", plan.under_test->name)
-                                : plan.under_test->options);
+                            plan.under_test->asked_for());
 }
 
 std::string to_json(const campaign_plan& plan, const campaign_result& result,
@@ -106,6 +104,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["promise"] = name_of(plan.under_test->make()->promises());
   object["level"] = plan.level;
   object["last_level"] = plan.last_level;
+  object["search"] = plan.by == search::climb ? "climb" : "generators";
   object["seed"] = plan.seed;
   object["threads"] = plan.threads;
   put(object, result.total);

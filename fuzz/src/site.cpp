@@ -22,7 +22,7 @@ std::uint64_t coarse_index(random_stream& random, const trial& t, int coarse) {
 site site_at(const trial& t, const std::array<std::uint64_t, 3>& index) {
   site s{index, {}};
   for (int a = 0; a < 3; ++a)
-    s.vertex[a] = t.root.lo[a] + static_cast<double>(index[a]) * t.size();
+    s.vertex[a] = t.grid_plane(a, index[a]);
   return s;
 }
 

@@ -57,8 +57,10 @@ expected<trial> trial_of_octant(const vec3& origin, const vec3& direction, const
   for (int a = 0; a < 3; ++a) {
     if (!std::isfinite(octant.lo[a]))
       return unexpected{"octant corner is not finite"};
-    const double offset = octant.lo[a] - root.lo[a];
-    const double index = std::floor(std::ldexp(offset / root.size, t.level));
+    // from the middle, as trial::grid_plane; exact where the corner is on the grid
+    const double half = std::ldexp(1.0, t.level) / 2;
+    const double from_middle = octant.lo[a] - (root.lo[a] + root.size / 2);
+    const double index = std::floor(from_middle / octant.size + half);
     if (!(index >= 0) || !(index < std::ldexp(1.0, t.level)))
       return unexpected{"octant lies outside the root"};
     t.base[a] = static_cast<std::uint64_t>(index);

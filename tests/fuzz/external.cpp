@@ -289,6 +289,28 @@ TEST_CASE("graze-fuzz run --command: a crash is shrunk, and replayed", "[unit]")
   CHECK(nlohmann::json::parse(again.out)["findings"] == nlohmann::json::array({"crash"}));
 }
 
+TEST_CASE("graze-fuzz campaign --command: goes on, and its findings replay as it says", "[unit]") {
+  const support::scratch dir;
+  const std::string folder = dir / "campaign";
+  support::refused(GRAZE_FUZZ, "campaign " + folder + " --command false", "false");
+  CHECK_FALSE(std::filesystem::exists(folder)); // a command that gives no answer leaves nothing
+  const std::string plan = " --level 10 --rays 3000 --piece 1000 ";
+  const auto o =
+      support::call(GRAZE_FUZZ, "campaign " + folder + plan + command("drops") + " --threads 1");
+  CHECK(o.code == 1);
+  CHECK(o.out.find("graze-fuzz replay " + folder + "/findings/") != std::string::npos);
+  CHECK(o.out.find(".json --command ") != std::string::npos);
+  // the folder knows the command
+  CHECK(support::call(GRAZE_FUZZ, "campaign " + folder).out.find("goes on after 3000") !=
+        std::string::npos);
+  for (const std::string& other : {command("right"), command("drops") + " --float"}) {
+    const auto refused = support::call(GRAZE_FUZZ, "campaign " + folder + " " + other);
+    CHECK(refused.code == 2);
+    CHECK(refused.err.find("another plan") != std::string::npos); // beside the peer's own word
+  }
+  CHECK(support::call(GRAZE_FUZZ, "summary " + folder).code == 1); // and starts no command
+}
+
 TEST_CASE("graze-fuzz run --command: the budget of time holds for one that hangs", "[unit]") {
   const auto start = std::chrono::steady_clock::now();
   const auto o = support::call(GRAZE_FUZZ, "run --seconds 1 --level 10 --threads 2 --timeout 0.2 "

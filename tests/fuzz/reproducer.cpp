@@ -1,6 +1,5 @@
 /// What a maintainer is handed: the files are whole, say what replay says, compile, and show it.
 #include "../support/program.hpp"
-#include "amanatides_woo.hpp"
 #include "campaign_of.hpp"
 #include <boost/property_tree/xml_parser.hpp>
 #include <functional>
@@ -225,7 +224,8 @@ TEST_CASE("fuzz.reproducer: the picture of a miss by less than an ulp has its ma
 
 TEST_CASE("fuzz.shrink: small witnesses lie in a grid of at most 8^3, and fail in the same way",
           "[property]") {
-  amanatides_woo walk;
+  const auto shipped = find_traversal("amanatides-woo")->make();
+  traversal& walk = *shipped;
   std::vector<std::unique_ptr<traversal>> all;
   for (const char* name : {"published", "plain", "gargantini", "mutant-exact", "mutant-drops"})
     all.push_back(find_traversal(name)->make());

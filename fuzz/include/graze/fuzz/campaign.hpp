@@ -2,18 +2,26 @@
 /// A campaign: many trials on all threads, counted, until a budget is used up.
 #include <atomic>
 #include <functional>
+#include <graze/fuzz/climb.hpp>
 #include <graze/fuzz/generators.hpp>
 #include <graze/fuzz/properties.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace graze::fuzz {
 
+/// How rays are looked for: `generators` are asked for each; `climb` starts at a generator's ray
+/// and goes on towards the smallest margin (graze/fuzz/climb.hpp).
+enum class search : std::uint8_t { generators, climb };
+
 /// What to run. Ray k of a campaign is trial k of the seed, by generator k mod the number of
-/// generators; so a campaign of a given number of rays counts and finds the same on any number of
-/// threads.
+/// generators; in a climb, step k mod climb_length of climb k / climb_length, which starts at the
+/// trial of that number. So a campaign of a given number of rays counts and finds the same on any
+/// number of threads.
 struct campaign_plan {
   const traversal_entry* under_test = nullptr;
+  std::shared_ptr<const traversal_entry> owned{}; ///< under_test, where no table holds it
   std::vector<const generator*> generators;
   int level = 50;      ///< 1..53
   int last_level = 50; ///< rays take the levels from `level` to this one in turn
@@ -22,6 +30,8 @@ struct campaign_plan {
   double seconds = 0;     ///< 0: no limit of time
   std::uint64_t rays = 0; ///< 0: no limit of rays
   std::uint64_t first_ray = 0;
+  search by = search::generators;
+  bool until_finding = false; ///< ends soon after the first one
 };
 
 /// What a generator's rays showed.
@@ -66,8 +76,22 @@ struct campaign_result {
   [[nodiscard]] std::optional<finding> worst_finding() const;
 };
 
-/// The trial of ray `index` of the plan.
+/// The trial of ray `index` of the plan; within a climb, after all that come before it.
 trial trial_of(const campaign_plan& plan, std::uint64_t index);
+/// The generator, by its place in the plan, that made the ray or the start of its climb.
+std::size_t generator_of(const campaign_plan& plan, std::uint64_t index);
+
+/// The trials of a plan; cheap for one after the other, in a climb too.
+class trial_source {
+public:
+  explicit trial_source(const campaign_plan& plan) : plan_(plan) {}
+  trial at(std::uint64_t index);
+
+private:
+  const campaign_plan& plan_;
+  std::optional<climber> climber_;
+  std::uint64_t next_ = 0; ///< the ray that climber_ makes next
+};
 
 /// `progress(rays, seconds)` is called about ten times a second, from this thread; `stop` ends the
 /// campaign early when it becomes true.

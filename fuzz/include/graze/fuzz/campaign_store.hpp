@@ -9,6 +9,7 @@
 /// A piece is a fixed range of ray numbers, and what it counts and finds depends on the plan alone.
 /// So a campaign that was killed and went on ends as one that was not.
 #include <graze/fuzz/campaign.hpp>
+#include <graze/fuzz/external.hpp>
 #include <map>
 #include <set>
 #include <string>
@@ -18,9 +19,10 @@ namespace graze::fuzz {
 
 /// What plan.json holds, by the names that the command line uses.
 struct stored_plan {
-  std::string traversal = "sound";
-  std::vector<std::string> generators; ///< none: all
-  std::string level = "50";            ///< "A" or "A-B", taken in turn
+  std::string traversal = "sound";          ///< its name; a command where there is `external`
+  std::optional<external_options> external; ///< how the command is driven
+  std::vector<std::string> generators;      ///< none: all
+  std::string level = "50";                 ///< "A" or "A-B", taken in turn
   std::uint64_t seed = 1;
   std::uint64_t rays = 0;        ///< of all shards together; 0: no limit
   double seconds = 0;            ///< of this shard, all its starts together; 0: no limit
@@ -39,7 +41,8 @@ struct stored_plan {
 /// "A" or "A-B", 1 <= A <= B <= 53, put into the plan; false when it is neither.
 bool read_levels(std::string_view text, campaign_plan& plan);
 
-/// The traversal, generators and levels of these names; the reason names what does not exist.
+/// The traversal, generators and levels of these names; the reason names what does not exist. A
+/// command is not started: under_test->make is empty.
 expected<campaign_plan> resolve(const stored_plan& stored);
 
 /// One line of findings in a piece.

@@ -29,7 +29,7 @@ struct reproduction {
 };
 
 /// Asks the traversal and the oracles; `kind` is among the findings of `t`, as after shrink().
-/// `options` are the traversal_entry's; empty: the name is enough.
+/// `options` are what traversal_entry::asked_for() says; empty: the name is enough.
 reproduction reproduction_of(const trial& t, traversal& under_test, finding kind,
                              const std::string& options = {});
 

@@ -109,6 +109,11 @@ struct traversal_entry {
   std::string_view summary;
   std::function<std::unique_ptr<traversal>()> make;
   std::string options{}; ///< how a user asks for it; empty: "--traversal NAME"
+
+  /// The options of graze-fuzz that choose it.
+  [[nodiscard]] std::string asked_for() const {
+    return options.empty() ? "--traversal " + std::string(name) : options;
+  }
 };
 
 /// All that can be chosen, the sound ones first.

@@ -34,9 +34,17 @@ struct trial {
   std::array<std::uint8_t, 3> extent{1, 1, 1}; ///< octants an axis, 1..max_extent
 
   [[nodiscard]] double size() const { return std::ldexp(root.size, -level); }
+  /// Plane `index` of the level's grid, 0 <= index <= 2^level; an exact double. Counted from the
+  /// middle, as root_cube::octant does: from the corner it would be rounded on some roots.
+  [[nodiscard]] double grid_plane(int axis, std::uint64_t index) const {
+    if (level == 0)
+      return index == 0 ? root.lo[axis] : root.hi(axis);
+    const auto half = std::int64_t{1} << (level - 1);
+    return root.mid(axis) + static_cast<double>(static_cast<std::int64_t>(index) - half) * size();
+  }
   /// The k-th plane of the block on an axis, 0 <= k <= extent; an exact double.
   [[nodiscard]] double plane(int axis, unsigned k) const {
-    return root.lo[axis] + static_cast<double>(base[axis] + k) * size();
+    return grid_plane(axis, base[axis] + k);
   }
   [[nodiscard]] cube octant(voxel v) const {
     return {{plane(0, v & 3u), plane(1, v >> 2 & 3u), plane(2, v >> 4)}, size()};
