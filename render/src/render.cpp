@@ -232,17 +232,30 @@ rendering render_picture(const scene& s, const caster& work, const settings& how
 }
 
 picture to_picture(const rendering& result) {
-  picture image{result.part.size.width,
-                result.part.size.height,
-                {{"R", {}}, {"G", {}}, {"B", {}}, {"Z", {}}},
-                {}};
-  for (channel& c : image.channels)
-    c.values.reserve(result.pixels.size());
-  for (const pixel& p : result.pixels) {
-    for (std::size_t c = 0; c < 3; ++c)
-      image.channels[c].values.push_back(p.colour[c]);
-    image.channels[3].values.push_back(p.depth);
-  }
+  const window& part = result.part;
+  picture image{part.size.width,    part.size.height,   {}, {}, part.column, part.row,
+                result.whole.width, result.whole.height};
+  const auto add = [&image](const char* name, const auto& all, const auto& value_of) {
+    channel& c = image.channels.emplace_back();
+    c.name = name;
+    c.values.reserve(all.size());
+    for (const auto& one : all)
+      c.values.push_back(static_cast<float>(value_of(one)));
+  };
+  add("R", result.pixels, [](const pixel& p) { return p.colour[0]; });
+  add("G", result.pixels, [](const pixel& p) { return p.colour[1]; });
+  add("B", result.pixels, [](const pixel& p) { return p.colour[2]; });
+  add("Z", result.pixels, [](const pixel& p) { return p.depth; });
+  if (result.facts.empty())
+    return image;
+  using facts = pixel_facts;
+  add("depth.width", result.facts, [](const facts& f) { return f.depth_width; });
+  add("normal.X", result.facts, [](const facts& f) { return f.normal[0]; });
+  add("normal.Y", result.facts, [](const facts& f) { return f.normal[1]; });
+  add("normal.Z", result.facts, [](const facts& f) { return f.normal[2]; });
+  add("object.id", result.facts, [](const facts& f) { return f.object; });
+  add("verdict.code", result.facts, [](const facts& f) { return f.verdict; });
+  add("steps.octants", result.facts, [](const facts& f) { return f.steps; });
   return image;
 }
 

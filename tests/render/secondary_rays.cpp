@@ -25,7 +25,7 @@ std::array<mpq_class, 3> exact_point(const octree::ray& r, const mpq_class& t) {
 /// Every 8th hit of the scene, its departure, and the rays from there.
 template <class F> void check(const char* name, int levels) {
   const scene& s = *find_scene(name);
-  const auto work = s.prepare(s, 7, levels);
+  const auto work = prepare(s, 7, levels);
   REQUIRE(work);
   int departures = 0, secondary = 0, undecided = 0;
   for (int row = 1; row < 512; row += 12)
@@ -156,7 +156,7 @@ TEST_CASE("render.secondary: no departure is proven where f has no proven sign",
 TEST_CASE("render.trace: the same picture for one thread and for three; shadows are darker",
           "[unit]") {
   const scene& s = *find_scene("spheres");
-  const auto work = s.prepare(s, 6, 30);
+  const auto work = prepare(s, 6, 30);
   REQUIRE(work);
   settings how = {70, 1, mode::trace};
   const rendering one = render_picture(s, **work, how);
@@ -186,7 +186,7 @@ TEST_CASE("render.trace: the same picture for one thread and for three; shadows 
 TEST_CASE("render.sampling: crops and samples are those of the whole and of the larger picture",
           "[unit]") {
   const scene& s = *find_scene("tanglecube");
-  const auto work = s.prepare(s, 6, 30);
+  const auto work = prepare(s, 6, 30);
   REQUIRE(work);
   settings how = {{48, 40}, 2, mode::trace};
   const rendering whole = render_picture(s, **work, how);

@@ -103,7 +103,8 @@ rendering render_picture(const scene& s, const caster& work, const settings& how
                          const std::atomic<bool>* stop = nullptr,
                          const progress_report& report = {});
 
-/// Channels R, G, B and Z of the rendering.
+/// Channels R, G, B and Z; with facts also depth.width, normal.X, normal.Y, normal.Z, object.id,
+/// verdict.code and steps.octants.
 picture to_picture(const rendering& result);
 
 } // namespace graze::render

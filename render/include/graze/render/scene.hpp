@@ -1,7 +1,7 @@
 #pragma once
 /// Scenes: a surface, its domain, a camera, lights and materials, and nothing that the picture does
 /// not need.
-#include <functional>
+#include <cstdint>
 #include <graze/expected.hpp>
 #include <graze/octree/box.hpp>
 #include <graze/octree/surface_traversal.hpp>
@@ -40,21 +40,44 @@ public:
 /// A part of the surface that has its own material.
 struct object {
   std::string name;
+  std::string formula; ///< its text; what it is, for a surface that is built in
   material look;
+};
+
+/// What is made of the objects f_i <= 0: one of them, or a combination of other solids.
+struct solid {
+  enum class kind : std::uint8_t { single, unite, intersect, subtract };
+  kind how = kind::single;
+  std::size_t single = 0;   ///< index of the object
+  std::vector<solid> parts; ///< two or more; of `subtract` the first, less the others
 };
 
 struct scene {
   std::string name;
-  std::string formula;
-  octree::box domain; ///< the surface is cut off at its faces
+  std::string built_in; ///< the compiled surface's name; empty where formulas are evaluated
+  octree::box domain;   ///< the surface is cut off at its faces
   camera view;
-  std::vector<light> lights;
+  std::vector<light> lights;   ///< at most most_lights
   std::vector<object> objects; ///< at least one
+  solid shape;
   colour background = default_background;
-  /// Makes the octree and the traversal; refuses levels outside of 1..53 with the reason.
-  std::function<expected<std::unique_ptr<caster>>(const scene&, int octree_level, int levels)>
-      prepare;
 };
+inline constexpr std::size_t most_lights = 64, most_objects = 1000;
+
+/// Makes the octree and the traversal. Refuses, with the reason, levels outside of 1..53, formulas
+/// that do not parse, and a scene of which it is proven that there is no surface in the domain.
+expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels);
+
+/// f = 0 is the surface of the whole: min for a union, max for an intersection.
+std::string formula_of(const scene& s);
+
+/// The camera and the lights that show a domain: DESIGN's, at the scale that fits, about its
+/// middle.
+camera fitting_camera(const octree::box& domain);
+std::vector<light> fitting_lights(const octree::box& domain);
+
+/// Why nothing can be seen in a domain: it is empty, or not finite. Empty if it is well.
+std::string objection_to(const octree::box& domain);
 
 /// The scenes of DESIGN's table that are built in.
 std::span<const scene> scenes();

@@ -27,6 +27,8 @@ struct material {
   double reflection = 0.2; ///< the part of the colour that the reflected ray brings (tracing only)
 };
 
+/// Of a surface that names no colour.
+inline constexpr colour default_body = {0.45, 0.40, 0.72};
 /// What no ray hit.
 inline constexpr colour default_background = {0.84, 0.87, 0.91};
 /// A pixel whose ray could be neither shown to hit nor to miss.
