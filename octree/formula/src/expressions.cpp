@@ -506,6 +506,15 @@ std::optional<program> expressions::compile(const sum_form& f) {
     return two ? 2 : 1;
   };
 
+  // Registers that a node needs if it is a tree's (Sethi and Ullman): the operand that needs more
+  // is first. Operands have lower numbers.
+  std::vector<std::uint32_t> need(nodes_.size(), 1);
+  for (node n = 0; n < nodes_.size(); ++n)
+    if (const int operands = arity(n); operands > 0) {
+      const std::uint32_t a = need[nodes_[n].a], b = operands == 2 ? need[nodes_[n].b] : 0;
+      need[n] = a == b ? a + 1 : std::max(a, b);
+    }
+
   // Operands before what uses them, each as late as that allows: post-order.
   std::vector<node> order;
   std::vector<std::uint8_t> seen(nodes_.size(), 0);
@@ -515,7 +524,9 @@ std::optional<program> expressions::compile(const sum_form& f) {
   while (!path.empty()) {
     auto& [n, next] = path.back();
     if (next < arity(n)) {
-      const node operand = next++ == 0 ? nodes_[n].a : nodes_[n].b;
+      const auto& [op, a, b, unused] = nodes_[n];
+      const bool second_first = arity(n) == 2 && need[a] < need[b];
+      const node operand = (next++ == 0) != second_first ? a : b;
       ++uses[operand];
       if (seen[operand] == 0) {
         seen[operand] = 1;

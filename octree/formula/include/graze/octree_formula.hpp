@@ -45,8 +45,9 @@ namespace graze::octree {
 ///     discard nothing there.
 ///   - Signs at two points prove no zero between them unless continuous_on() holds for a box (or a
 ///     segment) that has both: 1/x changes its sign and has no zero.
-/// At a kink (abs, min, max) a derivative encloses those of both branches, that is, Clarke's
-/// generalized gradient, for which the mean value theorem holds (Lebourg).
+/// Derivatives are those of f as it is on the box: at a kink (abs, min, max) within it those of
+/// both branches, that is, Clarke's generalized gradient, for which the mean value theorem holds
+/// (Lebourg); with a kink in the box's face those of the branch within.
 class formula_surface {
 public:
   explicit formula_surface(const tape::program& p) : program_(&p) {}

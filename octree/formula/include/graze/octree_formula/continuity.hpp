@@ -5,7 +5,7 @@
 namespace graze::octree::tape {
 
 /// The operation is defined and continuous at every point of R or R^2.
-constexpr bool continuous_everywhere(opcode op, int n) {
+GRAZE_BATCH_INLINE constexpr bool continuous_everywhere(opcode op, int n) {
   switch (op) {
   case opcode::pown:
     return n >= 0;
@@ -44,31 +44,7 @@ constexpr bool continuous_everywhere(opcode op, int n) {
 /// Proven: the operation is defined at every point of the operands' box, and its restriction to the
 /// box is continuous. For those that are not continuous everywhere. Source: the decorations of IEEE
 /// 1788 (graze/decoration.hpp).
-inline bool continuous_on(opcode op, const bounds& a, const bounds& b, int n) {
-  switch (op) {
-  case opcode::div:
-    return functions::div::local(a, b) >= decoration::dac;
-  case opcode::pow:
-    return functions::pow::local(a, b) >= decoration::dac;
-  case opcode::atan2:
-    return functions::atan2::local(a, b) >= decoration::dac;
-  case opcode::pown:
-    return functions::pown::local(a, n) >= decoration::dac;
-  case opcode::rootn:
-    return functions::rootn::local(a, n) >= decoration::dac;
-  case opcode::recip:
-    return functions::recip::local(a) >= decoration::dac;
-  case opcode::sqrt:
-    return functions::sqrt::local(a) >= decoration::dac;
-#define GRAZE_TAPE_LOCAL(name)                                                                     \
-  case opcode::name:                                                                               \
-    return functions::name::local(a) >= decoration::dac;
-    GRAZE_TAPE_FUNCTIONS(GRAZE_TAPE_LOCAL)
-#undef GRAZE_TAPE_LOCAL
-  default:
-    return true;
-  }
-}
+bool continuous_on(opcode op, const bounds& a, const bounds& b, int n);
 
 /// How a number type says where: one bit for an interval, one for each lane of eight. None for
 /// numbers that enclose nothing.

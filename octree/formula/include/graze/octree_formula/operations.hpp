@@ -3,6 +3,7 @@
 /// in derivatives.hpp, eight intervals at once in operations_eight.hpp.
 #include <algorithm>
 #include <cmath>
+#include <graze/batch/path.hpp>
 #include <graze/functions/arithmetic.hpp>
 #include <graze/functions/exponential.hpp>
 #include <graze/functions/hyperbolic.hpp>
@@ -23,7 +24,7 @@ struct polynomial_view {
   const turn* turns;
   std::uint32_t turn_count;
 };
-inline polynomial_view view(const program& p, std::uint32_t index) {
+GRAZE_BATCH_INLINE polynomial_view view(const program& p, std::uint32_t index) {
   const polynomial& of = p.polynomials.data()[index];
   return {p.constants.data() + of.first_coefficient, of.degree, p.turns.data() + of.first_turn,
           of.turns};
