@@ -1,45 +1,19 @@
 // The scenes of DESIGN's table.
 #include "casters.hpp"
 
-#include <graze/octree/lane_kernels.hpp>
 #include <graze/octree/surfaces.hpp>
 
 namespace graze::render {
 namespace {
 
-/// A surface whose kernels are compiled for the lanes, and its octree.
-template <class Surface> class lane_caster final : public surface_caster<Surface> {
-public:
-  using traversal = octree::lane_traversal<Surface>;
-
-  /// The octree is built here, and the traversal refers to it.
-  static expected<std::unique_ptr<caster>> make(const octree::box& domain, int octree_level,
-                                                int levels) {
-    auto tree = octree::voxelize_in_lanes(Surface{}, domain, octree_level);
-    if (!tree)
-      return unexpected{tree.reason()};
-    auto kept = std::make_unique<const octree::sparse_octree>(*std::move(tree));
-    auto work = traversal::make(Surface{}, domain, *kept, levels);
-    if (!work)
-      return unexpected{work.reason()};
-    return std::unique_ptr<caster>(new lane_caster(std::move(kept), *std::move(work), domain));
-  }
-
-  void first_hits(std::span<const octree::ray> rays, std::span<octree::surface_hit> hits,
-                  octree::traversal_counts* counts) const override {
-    work_.first_hits(rays, hits, counts);
-  }
-  std::uint64_t octree_leaves() const override { return tree_->leaf_count(); }
-
-private:
-  lane_caster(std::unique_ptr<const octree::sparse_octree> tree, traversal work,
-              const octree::box& domain)
-      : surface_caster<Surface>(Surface{}, domain), tree_(std::move(tree)), work_(std::move(work)) {
-  }
-
-  std::unique_ptr<const octree::sparse_octree> tree_;
-  traversal work_;
-};
+template <class Surface>
+expected<std::unique_ptr<caster>> make_caster(const octree::box& domain, int octree_level,
+                                              int levels) {
+  auto made = lane_caster<Surface>::make(Surface{}, domain, octree_level, levels);
+  if (!made)
+    return unexpected{made.reason()};
+  return std::unique_ptr<caster>(*std::move(made));
+}
 
 struct row {
   scene what;
@@ -56,7 +30,7 @@ row standard(const char* name, const char* formula, double scale, double half, c
            {{name, formula, {body}}},
            {},
            default_background},
-          lane_caster<Surface>::make};
+          make_caster<Surface>};
 }
 
 std::span<const row> rows() {

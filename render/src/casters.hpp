@@ -16,28 +16,52 @@ inline double longest_shift(const octree::box& domain) {
   return 0x1p-10 * side;
 }
 
-template <octree::Surface F> class surface_caster : public caster {
+/// A surface whose kernels are compiled for the lanes, and its octree.
+template <octree::Surface F> class lane_caster final : public caster {
 public:
-  surface_caster(const F& f, const octree::box& domain)
-      : f_(f), domain_(domain), longest_(longest_shift(domain)) {}
+  using traversal = octree::lane_traversal<F>;
+  using backend = octree::kernel_backend;
 
+  /// The octree is built here, and the traversal refers to it.
+  static expected<std::unique_ptr<lane_caster>> make(const F& f, const octree::box& domain,
+                                                     int octree_level, int levels) {
+    auto tree = octree::voxelize_in_lanes(f, domain, octree_level);
+    if (!tree)
+      return unexpected{tree.reason()};
+    auto kept = std::make_unique<const octree::sparse_octree>(*std::move(tree));
+    auto work = traversal::make(f, domain, *kept, levels);
+    if (!work)
+      return unexpected{work.reason()};
+    return std::unique_ptr<lane_caster>(
+        new lane_caster(f, domain, std::move(kept), *std::move(work)));
+  }
+
+  void first_hits(std::span<const octree::ray> rays, std::span<octree::surface_hit> hits,
+                  octree::traversal_counts* counts) const override {
+    work_.first_hits(rays, hits, counts);
+  }
   vec3 gradient(const vec3& point) const override { return octree::normal(f_, point); }
   void depart(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
               std::span<departure> departures) const override {
-    using backend = octree::kernel_backend;
     [[maybe_unused]] const backend::scope scope;
     for (std::size_t i = 0; i < rays.size(); ++i)
       if (hits[i].outcome == octree::verdict::hit)
         departures[i] = render::depart<F, backend>(f_, domain_, rays[i], hits[i], longest_);
   }
   std::size_t object_at(const vec3&) const override { return 0; }
-
-protected:
-  const F f_;
-  const octree::box domain_;
+  std::uint64_t octree_leaves() const override { return tree_->leaf_count(); }
 
 private:
+  lane_caster(const F& f, const octree::box& domain,
+              std::unique_ptr<const octree::sparse_octree> tree, traversal work)
+      : f_(f), domain_(domain), longest_(longest_shift(domain)), tree_(std::move(tree)),
+        work_(std::move(work)) {}
+
+  const F f_;
+  const octree::box domain_;
   const double longest_;
+  std::unique_ptr<const octree::sparse_octree> tree_;
+  traversal work_;
 };
 
 } // namespace graze::render

@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <graze/octree/lazy_octree.hpp>
 #include <graze/octree_formula.hpp>
+#include <graze/octree_formula/lane_kernels.hpp>
 
 namespace graze::render {
 namespace {
@@ -54,28 +54,20 @@ active active_at(const solid& shape, std::span<const double> values) {
   return found;
 }
 
-class formula_caster final : public surface_caster<formula_surface> {
+/// A lane_caster beside the formulas to which its surface refers.
+class formula_caster final : public caster {
 public:
-  using judge = octree::scalar_judge<formula_surface, backend>;
-  using tree = octree::lazy_octree<judge>;
-  using traversal =
-      octree::surface_traversal<formula_surface, octree::sound<backend, octree::convention::owned>,
-                                backend, tree>;
-
-  static expected<std::unique_ptr<caster>> make(compiled text, const scene& s, int octree_level,
-                                                int levels) {
-    const auto root = octree::enclosing_root(s.domain, octree_level);
-    if (!root)
-      return unexpected{root.reason()};
-    if (const auto deep = octree::enclosing_root(s.domain, levels); !deep)
-      return unexpected{deep.reason()};
-    return std::unique_ptr<caster>(new formula_caster(std::move(text), s, *root, levels));
-  }
+  formula_caster(compiled text, solid shape, std::unique_ptr<lane_caster<formula_surface>> work)
+      : text_(std::move(text)), shape_(std::move(shape)), work_(std::move(work)) {}
 
   void first_hits(std::span<const octree::ray> rays, std::span<octree::surface_hit> hits,
                   octree::traversal_counts* counts) const override {
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      hits[i] = work_.first_hit(rays[i], counts);
+    work_->first_hits(rays, hits, counts);
+  }
+  vec3 gradient(const vec3& point) const override { return work_->gradient(point); }
+  void depart(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
+              std::span<departure> departures) const override {
+    work_->depart(rays, hits, departures);
   }
   std::size_t object_at(const vec3& point) const override {
     if (text_.parts.size() == 1)
@@ -85,18 +77,28 @@ public:
       values.push_back(part.surface()(point[0], point[1], point[2]));
     return active_at(shape_, values).object;
   }
-  std::uint64_t octree_leaves() const override { return tree_.decided_count(); }
+  std::uint64_t octree_leaves() const override { return work_->octree_leaves(); }
 
 private:
-  formula_caster(compiled text, const scene& s, const octree::root_cube& root, int levels)
-      : surface_caster(text.whole.surface(), s.domain), text_(std::move(text)), shape_(s.shape),
-        tree_(judge(f_, domain_), root), work_(traversal::accepted(f_, domain_, tree_, levels)) {}
-
   compiled text_;
   solid shape_;
-  tree tree_;
-  traversal work_;
+  std::unique_ptr<lane_caster<formula_surface>> work_;
 };
+
+/// Where intervals can tell little of a formula, so that a coarse octree is nearly full, it stays
+/// coarse: verdicts do not depend on the octree's level, but its memory does.
+expected<std::unique_ptr<lane_caster<formula_surface>>> make_lane_caster(const formula_surface& f,
+                                                                         const octree::box& domain,
+                                                                         int octree_level,
+                                                                         int levels) {
+  constexpr int coarse_level = 6;
+  constexpr std::uint64_t most_coarse_leaves = 1 << 16; // of 2^18
+  auto coarse =
+      lane_caster<formula_surface>::make(f, domain, std::min(octree_level, coarse_level), levels);
+  if (!coarse || octree_level <= coarse_level || (*coarse)->octree_leaves() > most_coarse_leaves)
+    return coarse;
+  return lane_caster<formula_surface>::make(f, domain, octree_level, levels);
+}
 
 expected<compiled> compile(const scene& s) {
   std::vector<formula> parts;
@@ -157,7 +159,11 @@ expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int 
     return unexpected{text.reason()};
   if (const std::string why = objection_to(text->whole.surface(), s.domain); !why.empty())
     return unexpected{why};
-  return formula_caster::make(*std::move(text), s, octree_level, levels);
+  auto work = make_lane_caster(text->whole.surface(), s.domain, octree_level, levels);
+  if (!work)
+    return unexpected{work.reason()};
+  return std::unique_ptr<caster>(
+      std::make_unique<formula_caster>(*std::move(text), s.shape, *std::move(work)));
 }
 
 std::string objection_to(const octree::box& domain) {
