@@ -29,7 +29,8 @@ constexpr finding_set faults_of_answers =
 
 /// Rays are handed out in pieces of this many.
 constexpr std::uint64_t piece = 1024;
-/// A traversal is asked this many at a time.
+/// A traversal is asked this many at a time, after fewer: 1, 2, 4 and so on, so that the first
+/// answers of a slow one do not wait for the others.
 constexpr std::size_t asked_at_once = 64;
 
 /// What the threads share.
@@ -73,6 +74,7 @@ void work(shared_state& shared) {
       shared.found.store(true, std::memory_order_relaxed);
   };
 
+  std::size_t at_once = 1;
   const auto expired = [&] {
     return shared.stop.load(std::memory_order_relaxed) ||
            shared.found.load(std::memory_order_relaxed) ||
@@ -85,7 +87,8 @@ void work(shared_state& shared) {
     const std::uint64_t to = plan.rays != 0 ? std::min(from + piece, plan.rays) : from + piece;
     // a traversal in another process may be slow: what is left of a piece is dropped in time
     for (std::uint64_t k = from; k < to && (k == from || !expired());) {
-      const std::size_t count = std::min<std::uint64_t>(asked_at_once, to - k);
+      const std::size_t count = std::min<std::uint64_t>(at_once, to - k);
+      at_once = std::min(2 * at_once, asked_at_once);
       for (std::size_t i = 0; i < count; ++i)
         asked[i] = source.at(plan.first_ray + k + i);
       std::size_t answered = 0;
@@ -116,6 +119,15 @@ void work(shared_state& shared) {
 
 } // namespace
 
+std::string_view name_of(search s) { return s == search::climb ? "climb" : "generators"; }
+
+std::optional<search> search_of(std::string_view name) {
+  for (const search s : {search::generators, search::climb})
+    if (name_of(s) == name)
+      return s;
+  return std::nullopt;
+}
+
 void counts::add(const verdict& v) {
   ++rays;
   if (v.declined)
@@ -126,6 +138,7 @@ void counts::add(const verdict& v) {
   misses += size_of(v.missed);
   rays_with_miss += v.missed != 0 ? 1 : 0;
   crossed_missed += size_of(v.crossed_missed);
+  gross_missed += size_of(v.gross_missed);
   touched_missed += size_of(v.touched_missed);
   gaps += v.gaps;
   visited += size_of(v.visited);
@@ -146,6 +159,7 @@ counts& counts::operator+=(const counts& other) {
   misses += other.misses;
   rays_with_miss += other.rays_with_miss;
   crossed_missed += other.crossed_missed;
+  gross_missed += other.gross_missed;
   touched_missed += other.touched_missed;
   gaps += other.gaps;
   visited += other.visited;

@@ -48,9 +48,10 @@ bool read_shard(std::string_view text, stored_plan& plan) {
 
 /// The members of the plan that the command line gives.
 std::vector<std::string> given_members(const CLI::App& campaign) {
-  constexpr std::array<std::pair<const char*, const char*>, 7> members{
+  constexpr std::array<std::pair<const char*, const char*>, 8> members{
       {{"--traversal", "traversal"},
        {"--generator", "generators"},
+       {"--search", "search"},
        {"--level", "level"},
        {"--seed", "seed"},
        {"--rays", "rays"},
@@ -123,7 +124,10 @@ int campaign(campaign_options& options) {
       options.plan.generators.emplace_back(g.name);
   }
   expected<traversal_entry> started = unexpected{std::string()};
-  if (!options.command.external.command.empty()) {
+  if (options.command.external.command.empty()) {
+    if (options.campaign->count("--timeout") != 0)
+      return bad_input("--timeout needs --command in a campaign");
+  } else {
     auto external = external_of(options.command);
     if (!external)
       return bad_input(external.reason());
@@ -228,6 +232,8 @@ Exit code: 0 nothing found, 1 a finding, 2 bad input or a folder that cannot be 
       ->capture_default_str();
   c->add_option("--generator", o.generators, "Names of generators, or all (the default)")
       ->delimiter(',');
+  c->add_option("--search", o.plan.search, "generators, or climb: see graze-fuzz run --help")
+      ->capture_default_str();
   c->add_option("--seed", o.plan.seed, "Ray k of a seed is always the same ray")
       ->check(not_negative())
       ->capture_default_str();

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <graze/fuzz/campaign_store.hpp>
+#include <graze/fuzz/libraries.hpp>
 #include <graze/fuzz/replay.hpp>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
@@ -78,6 +79,7 @@ json to_json(const stored_plan& p) {
               {"traversal", p.traversal},
               {"external", to_json(p.external)},
               {"generators", p.generators},
+              {"search", p.search},
               {"level", p.level},
               {"seed", p.seed},
               {"rays", p.rays},
@@ -118,6 +120,7 @@ expected<stored_plan> read_plan(const std::string& path) {
     if (const json external = object.value("external", json()); !external.is_null())
       p.external = read_external(external, p.traversal);
     p.generators = object.at("generators").get<std::vector<std::string>>();
+    p.search = object.value("search", p.search);
     p.level = object.at("level").get<std::string>();
     p.seed = number("seed");
     p.rays = number("rays");
@@ -239,13 +242,13 @@ expected<campaign_plan> resolve(const stored_plan& stored) {
   if (stored.external) {
     plan.owned = std::make_shared<const traversal_entry>(traversal_entry{
         stored.traversal, "a traversal in another process", nullptr, spelled(*stored.external)});
-    plan.under_test = plan.owned.get();
   } else {
-    plan.under_test = find_traversal(stored.traversal);
+    const auto entry = named_traversal(stored.traversal);
+    if (!entry)
+      return unexpected{entry.reason()};
+    plan.owned = std::make_shared<const traversal_entry>(*entry);
   }
-  if (plan.under_test == nullptr)
-    return unexpected{
-        fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", stored.traversal)};
+  plan.under_test = plan.owned.get();
   for (const std::string& name : stored.generators) {
     plan.generators.push_back(find_generator(name));
     if (plan.generators.back() == nullptr)
@@ -253,6 +256,10 @@ expected<campaign_plan> resolve(const stored_plan& stored) {
   }
   if (plan.generators.empty())
     return unexpected{"there is no generator"};
+  const auto by = search_of(stored.search);
+  if (!by)
+    return unexpected{fmt::format("no search is called \"{}\"", stored.search)};
+  plan.by = *by;
   if (!read_levels(stored.level, plan))
     return unexpected{
         fmt::format("level {} is outside 1..53 (a number, or a range A-B)", stored.level)};
@@ -300,13 +307,19 @@ std::string to_json_line(const finished_piece& p) {
   return line.dump();
 }
 
+std::string content_hash(std::string_view content) {
+  std::string hash;
+  const boost::uuids::name_generator_sha1 name_of_content{boost::uuids::uuid{}};
+  for (const std::uint8_t byte : name_of_content(content.data(), content.size()))
+    hash += fmt::format("{:02x}", byte);
+  return hash;
+}
+
 finding_file file_of(finding kind, std::string_view traversal, const trial& shrunk) {
   json line{{"kind", name_of(kind)}, {"traversal", traversal}};
   line.update(json::parse(to_json_line(shrunk)));
-  finding_file f{{}, line.dump()};
-  for (const std::uint8_t byte : boost::uuids::name_generator_sha1(boost::uuids::uuid{})(f.line))
-    f.hash += fmt::format("{:02x}", byte);
-  return f;
+  const std::string text = line.dump();
+  return {content_hash(text), text};
 }
 
 std::string write_atomically(const std::string& path, std::string_view content) {
@@ -356,8 +369,8 @@ std::string difference(const stored_plan& there, const stored_plan& wanted,
 }
 
 const std::vector<std::string>& common_members() {
-  static const std::vector<std::string> members{"traversal", "external", "generators", "level",
-                                                "seed",      "rays",     "piece"};
+  static const std::vector<std::string> members{"traversal", "external", "generators", "search",
+                                                "level",     "seed",     "rays",       "piece"};
   return members;
 }
 

@@ -1,6 +1,7 @@
 #include "command_options.hpp"
 #include <cmath>
 #include <fmt/format.h>
+#include <graze/fuzz/libraries.hpp>
 
 namespace graze::fuzz {
 
@@ -13,8 +14,8 @@ void add_command_options(CLI::App& app, CLI::Option& other, command_options& opt
                  "What it promises: touched, owned, crossed, exactly-touched, exactly-owned")
       ->needs(command);
   app.add_option("--timeout", options.external.seconds_a_ray,
-                 "Seconds of silence after which a ray counts as a hang")
-      ->needs(command)
+                 "Seconds of silence after which a ray counts as a hang, if the traversal is in "
+                 "another process")
       ->capture_default_str();
   app.add_flag("--plain", options.plain, "Send plain numbers in hex, for scanf, instead of JSON")
       ->needs(command);
@@ -41,16 +42,12 @@ expected<external_options> external_of(const command_options& options) {
 
 expected<traversal_entry> chosen_traversal(const std::string& name, const command_options& options,
                                            bool show_errors) {
-  if (options.external.command.empty()) {
-    if (const traversal_entry* entry = find_traversal(name))
-      return *entry;
-    return unexpected{fmt::format("no traversal is called \"{}\" (see graze-fuzz list)", name)};
-  }
   auto external = external_of(options);
   if (!external)
     return unexpected{external.reason()};
   external->show_errors = show_errors;
-  return external_traversal(*external);
+  return external->command.empty() ? named_traversal(name, *external)
+                                   : external_traversal(*external);
 }
 
 } // namespace graze::fuzz

@@ -14,7 +14,7 @@ struct command_options {
 /// Adds --command and what goes with it; `other` is the option that it excludes.
 void add_command_options(CLI::App& app, CLI::Option& other, command_options& options);
 
-/// What they ask for, checked; the command is not started. Not to be called without a command.
+/// What they ask for, checked; no command is started.
 expected<external_options> external_of(const command_options& options);
 
 /// The traversal of these options, or else that of the name; the reason when there is none.

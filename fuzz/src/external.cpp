@@ -19,6 +19,7 @@ clock::duration in_seconds(double s) {
 /// What all processes of one command share.
 struct plan {
   external_options options;
+  std::string name;
   promise promised = promise::crossed;
   double start_seconds = 0; ///< until the first answer of a process, beyond the time of a ray
 };
@@ -44,7 +45,7 @@ public:
   explicit external(std::shared_ptr<const plan> p)
       : plan_(std::move(p)), process_(plan_->options.command, plan_->options.show_errors) {}
 
-  [[nodiscard]] std::string_view name() const override { return plan_->options.command; }
+  [[nodiscard]] std::string_view name() const override { return plan_->name; }
   [[nodiscard]] promise promises() const override { return plan_->promised; }
 
   void visit(const trial& t, visited& out) override { alone(t, out); }
@@ -230,17 +231,23 @@ private:
   fault suspected_ = fault::none;
 };
 
-std::string quoted(std::string_view text) {
+traversal_entry entry_of(const std::shared_ptr<const plan>& p, std::string_view summary,
+                         std::string options) {
+  return {p->name, summary, [p] { return std::unique_ptr<traversal>(new external(p)); },
+          std::move(options)};
+}
+
+} // namespace
+
+std::string shell_word(std::string_view text) {
   std::string result = "'";
   for (const char c : text)
     result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
 }
 
-} // namespace
-
 std::string spelled(const external_options& options) {
-  std::string text = "--command " + quoted(options.command);
+  std::string text = "--command " + shell_word(options.command);
   if (options.promised)
     text += fmt::format(" --promise {}", name_of(*options.promised));
   if (options.format == line_format::plain)
@@ -253,23 +260,28 @@ std::string spelled(const external_options& options) {
 }
 
 expected<traversal_entry> external_traversal(const external_options& options) {
-  const auto shared =
-      std::make_shared<plan>(plan{options, promise::crossed, options.start_seconds});
+  const auto shared = std::make_shared<plan>(
+      plan{options, options.command, promise::crossed, options.start_seconds});
   hello said;
   double seconds = 0;
   {
     auto first = std::make_shared<plan>(*shared);
     first->options.show_errors = true; // why it does not work is for the user to see
     if (std::string why = external(first).probe(said, seconds); !why.empty())
-      return unexpected{fmt::format("the command {} {}", quoted(options.command), why)};
+      return unexpected{fmt::format("the command {} {}", shell_word(options.command), why)};
   }
   shared->promised = options.promised.value_or(said.promised.value_or(promise::crossed));
   // others start as fast, or, on a machine that is busy, ten times slower
   shared->start_seconds = std::max(1.0, 10 * seconds);
-  traversal_entry entry{shared->options.command, "a traversal in another process",
-                        [shared] { return std::unique_ptr<traversal>(new external(shared)); },
-                        spelled(options)};
-  return entry;
+  return entry_of(shared, "a traversal in another process", spelled(options));
+}
+
+traversal_entry untried_external_traversal(const external_options& options, std::string_view name,
+                                           std::string_view summary) {
+  return entry_of(std::make_shared<plan>(plan{options, std::string(name),
+                                              options.promised.value_or(promise::crossed),
+                                              options.start_seconds}),
+                  summary, {});
 }
 
 } // namespace graze::fuzz

@@ -23,7 +23,7 @@ void lead_through(random_stream& random, trial& t, const vec3& point) {
 /// Leads the ray through the point exactly, at t = `multiple`, along an integer direction.
 void lead_along(random_stream& random, trial& t, const vec3& point, const vec3& integer, int bits) {
   const double multiple = static_cast<double>(random.bits(random.between(0, 20)) + 1);
-  const double unit = std::ldexp(t.root.size, -bits - random.between(0, 20));
+  const double unit = scaled(t.root.size, -bits - random.between(0, 20));
   for (unsigned a = 0; a < 3; ++a) {
     t.origin[a] = exact_origin(point[a], integer[a] * multiple * unit);
     t.direction[a] = integer[a];
@@ -57,7 +57,7 @@ void lead_exactly(random_stream& random, trial& t, const vec3& point) {
 
 /// A point near the vertex along axis a: within the octants on either side of it.
 double beside(random_stream& random, const trial& t, int axis, double v) {
-  const double steps = std::ldexp(static_cast<double>(random.bits(20)), -20);
+  const double steps = scaled(static_cast<double>(random.bits(20)), -20);
   const double x = v + random.sign() * steps * t.size();
   return std::clamp(x, t.root.lo[axis], t.root.hi(axis));
 }
@@ -252,7 +252,7 @@ void subnormal(random_stream& random, trial& t) {
   scale(t.direction, down);
   for (double& x : t.direction) // where that was not exact, near is good enough
     if (std::fabs(x) > 0x1p-400)
-      x = std::ldexp(x, down);
+      x = scaled(x, down);
   if (random.one_in(3)) {
     double& x = t.direction[random.below(3)];
     x = random.coin() ? step_ulps(x, random.between(-2, 2)) : random_double(random, -1074, -480);
@@ -282,7 +282,7 @@ void far_origin(random_stream& random, trial& t) {
     const int bits = random.between(0, 3);
     const vec3 d = integer_direction(random, bits);
     for (unsigned a = 0; a < 3; ++a) {
-      const double away = d[a] * std::ldexp(t.root.size, std::min(exponent, most - 3));
+      const double away = d[a] * scaled(t.root.size, std::min(exponent, most - 3));
       t.origin[a] = exact_origin(s.vertex[a], away);
       if (t.origin[a] == s.vertex[a])
         t.origin[a] = s.vertex[a] - away; // then rounded
@@ -311,7 +311,7 @@ void exponent_gap(random_stream& random, trial& t) {
     const int exponent =
         random.coin() ? (random.coin() ? spread : -spread) : random.between(-spread, spread);
     t.direction[a] = random.one_in(8) ? 0 : random_double(random, exponent, exponent);
-    const double back = s.vertex[a] - std::ldexp(t.direction[a], k);
+    const double back = s.vertex[a] - scaled(t.direction[a], k);
     switch (random.below(5)) {
     case 0:
       t.origin[a] = s.vertex[a];

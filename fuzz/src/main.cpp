@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 #include <graze/fuzz/campaign_command.hpp>
 #include <graze/fuzz/campaign_store.hpp>
+#include <graze/fuzz/libraries.hpp>
 #include <graze/fuzz/replay.hpp>
 #include <graze/fuzz/report.hpp>
 #include <graze/fuzz/reproducer.hpp>
+#include <graze/fuzz/self_command.hpp>
 #include <thread>
 #include <unistd.h>
 
@@ -107,7 +109,7 @@ int run(const run_options& options) {
   plan.threads = options.threads;
   plan.rays = options.rays;
   plan.first_ray = options.first_ray;
-  plan.by = options.search == "climb" ? search::climb : search::generators;
+  plan.by = *search_of(options.search);
   plan.until_finding = options.until_finding;
   plan.seconds = options.seconds == 0 && options.rays == 0 ? 5 : options.seconds;
 
@@ -117,10 +119,11 @@ int run(const run_options& options) {
   if (progress)
     show = [&plan](std::uint64_t rays, double seconds) { show_progress(plan, rays, seconds); };
   const campaign_result result = run_campaign(plan, interrupted, show);
+  if (progress && result.worst_finding())
+    fmt::print(stderr, "\rshrinking what was found, for at most 10 s \x1b[K");
+  const std::optional<counterexample> found = counterexample_of(plan, result);
   if (progress)
     fmt::print(stderr, "\r\x1b[K");
-
-  const std::optional<counterexample> found = counterexample_of(plan, result);
   if (options.json) {
     fmt::print("{}\n", to_json(plan, result, found));
   } else {
@@ -130,7 +133,7 @@ int run(const run_options& options) {
                result.interrupted ? " (interrupted)" : "", table(plan, result));
     if (result.first_miss_seconds)
       fmt::print("first miss after {:.6f} s\n", *result.first_miss_seconds);
-    fmt::print("{}", found ? describe(plan, *found) : std::string("nothing found\n"));
+    fmt::print("{}", found ? describe(plan, result, *found) : std::string("nothing found\n"));
   }
   if (found && !options.save.empty())
     if (std::string why = write_atomically(options.save, to_json_line(found->shrunk) + '\n');
@@ -197,23 +200,24 @@ int replay_file(const replay_options& options) {
 int list() {
   fmt::print("traversals\n");
   for (const traversal_entry& e : traversals())
-    fmt::print("  {:<18} {}\n", e.name, e.summary);
+    fmt::print("  {:<31} {}\n", e.name, e.summary);
   fmt::print("traversals of others\n");
   for (const auto* entries : {&adapters(), &linked_traversals()})
     for (const traversal_entry& e : *entries)
-      fmt::print("  {:<18} {}\n", e.name, e.summary);
+      fmt::print("  {:<31} {}\n", e.name, e.summary);
   fmt::print("traversals that are wrong on purpose\n");
   for (const traversal_entry& e : mutants())
-    fmt::print("  {:<18} {}\n", e.name, e.summary);
+    fmt::print("  {:<31} {}\n", e.name, e.summary);
   fmt::print("generators\n");
   for (const generator& g : generators())
-    fmt::print("  {:<18} {}\n", g.name, g.summary);
+    fmt::print("  {:<31} {}\n", g.name, g.summary);
   return 0;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+  add_traversals(library_traversals());
   CLI::App app{"Finds octants that a ray traversal misses, with an exact oracle."};
   app.footer(examples);
   app.require_subcommand(1);
@@ -269,6 +273,7 @@ int main(int argc, char** argv) {
   replay_command->add_flag("--json", replay_with.json, "Print one JSON object a line");
 
   const campaign_commands campaigns(app);
+  const self_command self(app);
 
   CLI::App* list_command = app.add_subcommand("list", "Names of traversals and generators");
 
@@ -284,6 +289,8 @@ int main(int argc, char** argv) {
   if (replay_command->parsed())
     return replay_file(replay_with);
   if (const auto code = campaigns.run())
+    return *code;
+  if (const auto code = self.run())
     return *code;
   if (list_command->parsed())
     return list();

@@ -11,9 +11,12 @@ using octree::branches;
 using sound = octree::sound<rounding::upward, octree::convention::owned>;
 
 /// The sound method with its children changed by Edit.
-template <class Edit> class edited : public sound {
+template <class Edit> class edited : sound {
 public:
+  using sound::enter;
   using sound::sound;
+  using typename sound::scope;
+  using typename sound::state;
   void split(const cube& cell, const state& at, branches<state>& out) const {
     branches<state> all;
     sound::split(cell, at, all);

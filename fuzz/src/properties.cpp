@@ -1,6 +1,7 @@
 #include <cmath>
 #include <graze/fuzz/properties.hpp>
 #include <graze/oracle/geometry.hpp>
+#include <graze/oracle/rational.hpp>
 #include <vector>
 
 namespace graze::fuzz {
@@ -22,8 +23,8 @@ std::string_view name_of(promise p) {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crash", "hang",  "nan",     "malformed",    "crossed-miss", "gap",
-      "miss",  "order", "revisit", "far-spurious", "spurious",     "outside"};
+      "crash", "hang",    "nan",          "malformed", "gross-miss", "crossed-miss", "gap", "miss",
+      "order", "revisit", "far-spurious", "spurious",  "outside"};
   return names[static_cast<unsigned>(f)];
 }
 
@@ -124,20 +125,39 @@ voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
   for (; left != 0; left &= left - 1) {
     const auto v = static_cast<voxel>(std::countr_zero(left));
     const cube box = t.octant(v);
-    std::array<std::array<double, 2>, 3> planes;
-    std::array<std::span<const double>, 3> grid;
+    vec3 near, beyond;
     for (unsigned a = 0; a < 3; ++a) {
       const double lo = box.lo[a];
       const double hi = box.hi(static_cast<int>(a));
       const double reach =
           0x1p-47 * (std::fabs(t.origin[a]) + std::max(std::fabs(lo), std::fabs(hi))) + 0x1p-1000;
-      planes[a] = {lo - reach, hi + reach};
-      grid[a] = planes[a];
+      near[a] = lo - reach;
+      beyond[a] = hi + reach;
     }
-    if (oracle::steps_in_grid(t.origin, t.direction, grid).empty())
+    if (!oracle::touches(t.origin, t.direction, near, beyond))
       far |= voxel_set{1} << v;
   }
   return far;
+}
+
+voxel_set gross(const trial& t, voxel_set missed) {
+  mpq_class square_of_length = 0; // of the direction
+  for (const double d : t.direction)
+    square_of_length += mpq_class(d) * mpq_class(d);
+  const mpq_class least = mpq_class(t.size()) / 1000;
+  voxel_set result = 0;
+  for (voxel_set left = missed; left != 0; left &= left - 1) {
+    const auto v = static_cast<voxel>(std::countr_zero(left));
+    const cube box = t.octant(v);
+    const auto in = oracle::rational::range_in(t.origin, t.direction, box.lo,
+                                               {box.hi(0), box.hi(1), box.hi(2)});
+    if (!in)
+      continue;
+    const mpq_class span = in->second - in->first;
+    if (span * span * square_of_length > least * least)
+      result |= voxel_set{1} << v;
+  }
+  return result;
 }
 
 std::optional<trial> trial_answered(const trial& t, const visited& said) {
@@ -167,8 +187,12 @@ verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
   v.spurious = spurious(is, said, p);
   v.gaps = gaps(is, said);
   v.order_error = promises_owned(p) && out_of_order(is, said);
-  if (v.crossed_missed != 0)
+  if (v.crossed_missed != 0) {
     v.findings |= bit(finding::crossed_miss);
+    v.gross_missed = gross(t, v.crossed_missed);
+    if (v.gross_missed != 0)
+      v.findings |= bit(finding::gross_miss);
+  }
   if (v.gaps != 0)
     v.findings |= bit(finding::gap);
   if ((v.missed & ~v.crossed_missed) != 0)

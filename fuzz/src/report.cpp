@@ -13,8 +13,9 @@ namespace {
 using json = nlohmann::ordered_json;
 
 std::string row(std::string_view name, const counts& c) {
-  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>10.4f}{:>8}{:>8}{:>9}\n", name,
-                     c.rays, c.touched, c.misses, c.crossed_missed, c.gaps, c.spurious,
+  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10.4f}{:>8}{:>8}{:>9}\n",
+                     name, c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
+                     c.spurious,
                      100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits);
 }
 
@@ -24,6 +25,7 @@ void put(json& object, const counts& c) {
   object["misses"] = c.misses;
   object["rays_with_miss"] = c.rays_with_miss;
   object["crossed_missed"] = c.crossed_missed;
+  object["gross_missed"] = c.gross_missed;
   object["touched_missed"] = c.touched_missed;
   object["gaps"] = c.gaps;
   object["visited"] = c.visited;
@@ -50,27 +52,26 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
     return std::nullopt;
   const auto under_test = plan.under_test->make();
   std::optional<counterexample> simplest;
-  using clock = std::chrono::steady_clock;
-  const auto end = clock::now() + std::chrono::seconds(10); // see shrink()
+  const shrink_deadline end = usual_deadline(); // of all together
   for (const auto& of_generator : result.first) {
     const auto& ray = of_generator[static_cast<unsigned>(*kind)];
-    if (!ray || (simplest && clock::now() >= end))
+    if (!ray || (simplest && std::chrono::steady_clock::now() >= end))
       continue;
     const trial found = trial_of(plan, *ray);
-    const trial shrunk = shrink(found, *under_test, *kind);
+    const trial shrunk = shrink(found, *under_test, *kind, 30'000, end);
     if (!simplest || complexity_of(shrunk) < complexity_of(simplest->shrunk))
       simplest = counterexample{*kind, *ray, found, shrunk};
   }
   if (simplest && *kind != finding::hang) // each hang costs its whole time
-    if (const auto small = small_witness(*under_test, *kind);
+    if (const auto small = small_witness(*under_test, *kind, 10'000, end);
         small && complexity_of(*small) < complexity_of(simplest->shrunk))
       simplest->shrunk = *small;
   return simplest;
 }
 
 std::string table(const campaign_plan& plan, const campaign_result& result) {
-  std::string text = fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
-                                 "generator", "rays", "touched", "misses", "crossed", "gaps",
+  std::string text = fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
+                                 "generator", "rays", "touched", "misses", "crossed", "gross", "gaps",
                                  "spurious", "% visits", "far", "order", "revisit");
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     text += row(plan.generators[g]->name, result.by_generator[g]);
@@ -83,18 +84,37 @@ std::string table(const campaign_plan& plan, const campaign_result& result) {
   return text;
 }
 
-std::string describe(const campaign_plan& plan, const counterexample& c) {
-  const trial& t = c.shrunk;
-  std::string text = fmt::format("{} by {}, ray {} of seed {} ({}), shrunk:\n", name_of(c.kind),
-                                 plan.under_test->name, c.ray, plan.seed,
-                                 plan.generators[generator_of(plan, c.ray)]->name);
-  text += fmt::format("  origin    {}\n  direction {}\n  octant    {} size {}, level {}",
-                      spelled(t.origin), spelled(t.direction), spelled(t.octant(0).lo),
-                      hex(t.size()), t.level);
+namespace {
+
+std::string spelled(const trial& t) {
+  std::string text = fmt::format("  origin    {}\n  direction {}\n  octant    {} size {}, level {}",
+                                 spelled(t.origin), spelled(t.direction), spelled(t.octant(0).lo),
+                                 hex(t.size()), t.level);
   if (std::popcount(t.all()) > 1)
     text += fmt::format(", the first of {} x {} x {}", t.extent[0], t.extent[1], t.extent[2]);
-  return text + fmt::format("\nreplay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(t),
-                            plan.under_test->asked_for());
+  return text + "\n";
+}
+
+} // namespace
+
+std::string describe(const campaign_plan& plan, const campaign_result& result,
+                     const counterexample& c) {
+  std::string text = fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
+                                 name_of(c.kind), plan.under_test->name, c.ray, plan.seed,
+                                 plan.generators[generator_of(plan, c.ray)]->name, spelled(c.found),
+                                 spelled(c.shrunk));
+  text += fmt::format("replay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(c.shrunk),
+                      plan.under_test->asked_for());
+  for (unsigned k = 0; k < finding_kinds; ++k) {
+    std::optional<std::uint64_t> ray;
+    for (const auto& of_generator : result.first)
+      if (of_generator[k] && (!ray || *of_generator[k] < *ray))
+        ray = of_generator[k];
+    if (ray && static_cast<finding>(k) != c.kind)
+      text += fmt::format("also {}: again with --first-ray {} --rays 1\n",
+                          name_of(static_cast<finding>(k)), *ray);
+  }
+  return text;
 }
 
 std::string to_json(const campaign_plan& plan, const campaign_result& result,
@@ -104,7 +124,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["promise"] = name_of(plan.under_test->make()->promises());
   object["level"] = plan.level;
   object["last_level"] = plan.last_level;
-  object["search"] = plan.by == search::climb ? "climb" : "generators";
+  object["search"] = name_of(plan.by);
   object["seed"] = plan.seed;
   object["threads"] = plan.threads;
   put(object, result.total);

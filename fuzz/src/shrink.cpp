@@ -323,14 +323,13 @@ trial shrink(const trial& failing, const std::function<bool(const trial&)>& stil
   return best;
 }
 
-trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations) {
-  // a traversal in another process may take seconds for a ray; others are done long before
-  using clock = std::chrono::steady_clock;
-  const auto end = clock::now() + std::chrono::seconds(10);
+trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations,
+             shrink_deadline end) {
   return shrink(
       failing,
       [&](const trial& t) {
-        return clock::now() < end && (judge(t, under_test).findings & bit(kind)) != 0;
+        return std::chrono::steady_clock::now() < end &&
+               (judge(t, under_test).findings & bit(kind)) != 0;
       },
       evaluations);
 }

@@ -79,7 +79,7 @@ double random_double(random_stream& random, int lowest_exponent, int highest_exp
     significand = keep_bits(significand, style == 0 ? random.between(1, 8) : random.between(1, 53));
   else if (style == 2) // a few ulps from a power of two
     significand = step_ulps(1, random.between(-2, 2));
-  const double value = std::ldexp(significand, random.between(lowest_exponent, highest_exponent));
+  const double value = scaled(significand, random.between(lowest_exponent, highest_exponent));
   return bits >> 63 != 0 ? -value : value;
 }
 
@@ -104,13 +104,13 @@ double exact_origin(double v, double offset) {
 }
 
 void scale(vec3& direction, int k) {
-  vec3 scaled;
+  vec3 result;
   for (unsigned a = 0; a < 3; ++a) {
-    scaled[a] = std::ldexp(direction[a], k);
-    if (!std::isfinite(scaled[a]) || std::ldexp(scaled[a], -k) != direction[a])
+    result[a] = scaled(direction[a], k);
+    if (!std::isfinite(result[a]) || scaled(result[a], -k) != direction[a])
       return;
   }
-  direction = scaled;
+  direction = result;
 }
 
 double small_integer(random_stream& random, int bits) {

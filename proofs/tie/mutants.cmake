@@ -53,13 +53,13 @@ endif()
 
 set(file octree/octree/ray_bounds.hpp)
 graze_mutant(lowb_swapped "Cdn and Cup swapped in lowb" FILE ${file}
-             FROM "u < number(0) ? a.c_up : a.c_down" TO "u < number(0) ? a.c_down : a.c_up")
+             FROM "u < number(0), a.c_up, a.c_down" TO "u < number(0), a.c_down, a.c_up")
 graze_mutant(uppb_swapped "Cdn and Cup swapped in uppb" FILE ${file}
-             FROM "number(0) < u ? a.c_up : a.c_down" TO "number(0) < u ? a.c_down : a.c_up")
+             FROM "number(0) < u, a.c_up, a.c_down" TO "number(0) < u, a.c_down, a.c_up")
 graze_mutant(lowb_not_strict "<= for < in lowb" FILE ${file}
-             FROM "u < number(0) ? a.c_up" TO "u <= number(0) ? a.c_up")
+             FROM "u < number(0), a.c_up" TO "u <= number(0), a.c_up")
 graze_mutant(uppb_not_strict "<= for < in uppb" FILE ${file}
-             FROM "number(0) < u ? a.c_up" TO "number(0) <= u ? a.c_up")
+             FROM "number(0) < u, a.c_up" TO "number(0) <= u, a.c_up")
 graze_mutant(c_once_up "c rounded once, up" FILE ${file}
              FROM "{o, B::mul_down(mag" TO "{o, B::mul_up(mag")
 graze_mutant(c_once_down "c rounded once, down" FILE ${file}
@@ -93,6 +93,12 @@ graze_mutant(lowb_u_up "u rounded up in lowb" FILE ${file}
              FROM "B::sub_down(p, q)" TO "B::sub_up(p, q)")
 graze_mutant(uppb_u_down "u rounded down in uppb" FILE ${file}
              FROM "B::sub_up(p, q)" TO "B::sub_down(p, q)")
+graze_mutant(pair_swapped "Cdn and Cup swapped in both bounds at a plane" FILE ${file}
+             FROM "both(a.c_up), both(a.c_down)" TO "both(a.c_down), both(a.c_up)")
+graze_mutant(pair_not_strict "<= for < in both bounds at a plane" FILE ${file}
+             FROM "pair{0, 0} < u" TO "pair{0, 0} <= u")
+graze_mutant(pair_turned "the directions of a ray swapped in both bounds at a plane" FILE ${file}
+             FROM "direction == heading::forward;" TO "direction != heading::forward;")
 graze_mutant(one_rotation "the wrong two axes in C of y" FILE ${file}
              FROM "prepare(o[1], d[1], d[2], d[0])" TO "prepare(o[1], d[1], d[2], d[1])")
 
@@ -102,11 +108,11 @@ graze_mutant(order_reversed "the order reversed" FILE ${file}
 graze_mutant(order_fixed "the order of the indices" FILE ${file}
              FROM "index = i ^ origin_side" TO "index = i ^ (origin_side & 0u)")
 graze_mutant(side_strict "> for >= in the origin's side" FILE ${file}
-             FROM "axes_[a].origin >= mid" TO "axes_[a].origin > mid")
+             FROM "axes_[a].origin >= cell.mid" TO "axes_[a].origin > cell.mid")
 graze_mutant(entry_side "the sides of entry swapped" FILE ${file}
              FROM "heading::backward ? 1 : 0" TO "heading::backward ? 0 : 1")
 graze_mutant(half_kept "a half keeps its parent's exit" FILE ${file}
-             FROM "{at[a].enter, bounds::template leave_at<C>(axes_[a], mid)}" TO "at[a]")
+             FROM "{at[a].enter, mid.leave}" TO "at[a]")
 graze_mutant(root_owned "the root's far faces not closed" FILE ${file}
              FROM "within<convention::closed>" TO "within<C>")
 

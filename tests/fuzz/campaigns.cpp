@@ -9,7 +9,7 @@ void nothing_found(std::string_view name, int level, std::uint64_t rays) {
   const campaign_plan plan = plan_of(name, level, rays);
   const campaign_result result = run(plan);
   const auto c = counterexample_of(plan, result);
-  INFO(table(plan, result) << (c ? describe(plan, *c) : ""));
+  INFO(table(plan, result) << (c ? describe(plan, result, *c) : ""));
   CHECK(result.total.rays == rays);
   CHECK(result.total.touched > rays);
   CHECK(result.total.misses == 0);

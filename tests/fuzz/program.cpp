@@ -91,6 +91,33 @@ TEST_CASE("graze-fuzz run: bad input is one line and exit code 2", "[unit]") {
   refused("walk", "");
 }
 
+TEST_CASE("graze-fuzz run: a climb is reported, saved and replayed as any search", "[unit]") {
+  const scratch dir;
+  const std::string file = dir / "miss.jsonl";
+  const std::string random =
+      "run --traversal plain --level 10 --generator random --rays 5000 --json ";
+  CHECK(call(random).code == 0);
+  const outcome o = call(random + "--search climb --until-finding --save " + file);
+  CHECK(o.code == 1);
+  const auto object = nlohmann::json::parse(o.out);
+  CHECK(object["search"] == "climb");
+  CHECK(object["rays"] <= 5000);
+  CHECK(object["generators"][0]["generator"] == "random");
+  CHECK(call("replay " + file + " --traversal plain").code == 1);
+  CHECK(call("run --traversal plain --generator random --search climb --rays 2000")
+            .out.find("(random):") != std::string::npos);
+  refused("run --search walk", "--search");
+  // a campaign keeps it in its plan
+  const std::string folder = dir / "campaign";
+  CHECK(call("campaign " + folder +
+             " --traversal plain --level 10 --search climb --rays 5000 --piece "
+             "1000")
+            .code == 1);
+  CHECK(call("campaign " + folder).code == 1);
+  refused("campaign " + folder + " --search generators", "search is \"climb\", not \"generators\"");
+  refused("campaign " + (dir / "other") + " --search walk", "no search is called");
+}
+
 TEST_CASE("graze-fuzz run: an interrupt ends it early, with its summary", "[unit]") {
   const scratch dir;
   const outcome o = call("run --seconds 100 --json", "timeout -s INT 1 ");

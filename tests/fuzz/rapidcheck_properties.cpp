@@ -1,6 +1,7 @@
 /// The same predicates under RapidCheck: every generator, every level, shrunk and printed in hex.
 /// A failure prints the string for RC_PARAMS that reproduces it.
 #include <catch2/catch.hpp>
+#include <graze/fuzz/codec.hpp>
 #include <graze/fuzz/rapidcheck.hpp>
 #include <sstream>
 
@@ -68,4 +69,52 @@ TEST_CASE("fuzz.rapidcheck: a failure is shrunk to a few bits and printed in hex
   CHECK(complexity_of(*t).octants == 1);
   CHECK(complexity_of(*t).bits < 80);
   CHECK((judge(*t, *published).findings & bit(finding::crossed_miss)) != 0);
+}
+
+TEST_CASE("fuzz.rapidcheck: sound and exact keep their promises on mutated trials", "[property]") {
+  for (const traversal_entry& e : traversals()) {
+    if (!e.name.starts_with("sound") && !e.name.starts_with("exact"))
+      continue;
+    const auto under_test = e.make();
+    holds(std::string(e.name) + " on mutated trials", 5'000, [&] {
+      const trial t = *any_mutated_trial();
+      RC_ASSERT(judge(t, *under_test).findings == 0u);
+    });
+  }
+}
+
+TEST_CASE("fuzz.rapidcheck: the codec is exact, and never makes an illegal trial", "[property]") {
+  holds("there and back", 5'000, [] {
+    const trial t = *any_mutated_trial();
+    const auto bytes = encode(t);
+    const auto again = decode(bytes);
+    RC_ASSERT(again.has_value());
+    RC_ASSERT(encode(*again) == bytes);
+  });
+  holds("any bytes", 5'000, [] {
+    const auto bytes = *rc::gen::container<std::vector<std::uint8_t>>(
+        encoded_size, rc::gen::arbitrary<std::uint8_t>());
+    if (const auto t = decode(bytes))
+      RC_ASSERT(refusal(*t).empty());
+  });
+}
+
+TEST_CASE("fuzz.rapidcheck: mutants are found, and shrunk to integers of few bits", "[property]") {
+  for (const traversal_entry& e : mutants()) {
+    const auto mutant = e.make();
+    const auto result = checked(std::string(e.name), 20'000, [&] {
+      const trial t = *any_mutated_trial();
+      RC_ASSERT(judge(t, *mutant).findings == 0u);
+    });
+    INFO(e.name);
+    REQUIRE(result.is<rc::detail::FailureResult>());
+    const auto& failure = result.get<rc::detail::FailureResult>();
+    REQUIRE(failure.counterExample.size() == 1);
+    const auto t = from_json_line(failure.counterExample[0].second);
+    INFO(failure.counterExample[0].second);
+    REQUIRE(t);
+    CHECK(judge(*t, *mutant).findings != 0u);
+    CHECK(complexity_of(*t).level <= 1);
+    CHECK(complexity_of(*t).octants <= 4);
+  }
 }

@@ -1,69 +1,25 @@
 // The arithmetic functions on bounds: MPFR at the corners of boxes, and the definition of each
 // decoration.
 #include "exact_judge.hpp"
-#include "hard_boxes.hpp"
 #include <catch2/catch.hpp>
 #include <graze/decorated.hpp>
+#include <graze/oracle/hard_boxes.hpp>
+#include <graze/oracle/ranges.hpp>
 #include <graze/rounding/fused.hpp>
 #include <vector>
 
 using graze::bounds;
 using graze::decoration;
-using graze::test::hard_boxes;
-using graze::test::hard_operands;
-using graze::test::hardness;
+using graze::oracle::hard_boxes;
+using graze::oracle::hard_operands;
+using graze::oracle::hardness;
 using graze::test::inputs;
 using graze::test::same;
 namespace f = graze::functions;
 namespace oracle = graze::oracle;
-
-namespace {
+namespace ranges = graze::oracle::ranges;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// The hull of a monotone operation's limits at the corners of a box; NaN is no limit.
-template <class Corner> bounds hull_of_corners(const bounds& x, const bounds& y, Corner corner) {
-  bounds hull{infinity, -infinity};
-  for (const double a : {x.lo, x.hi})
-    for (const double b : {y.lo, y.hi}) {
-      hull.lo = std::fmin(hull.lo, corner(a, b, MPFR_RNDD));
-      hull.hi = std::fmax(hull.hi, corner(a, b, MPFR_RNDU));
-    }
-  return hull;
-}
-
-double product(double a, double b, mpfr_rnd_t to) {
-  return a == 0 || b == 0 ? 0 : oracle::rounded(mpfr_mul, to, a, b);
-}
-/// b is a bound of a box to one side of 0; where it is 0, the quotient is unbounded towards the
-/// side that the caller's box lies on.
-double quotient(double a, double b, bool negative, mpfr_rnd_t to) {
-  if (a == 0)
-    return 0;
-  return oracle::rounded(mpfr_div, to, a, b == 0 ? (negative ? -0.0 : 0.0) : b);
-}
-
-bounds divided(const bounds& x, const bounds& y) {
-  if (x.is_empty() || y.is_empty() || (y.lo == 0 && y.hi == 0))
-    return bounds::empty();
-  if (y.lo < 0 && 0 < y.hi) {
-    const bounds left = divided(x, {y.lo, 0}), right = divided(x, {0, y.hi});
-    return {std::fmin(left.lo, right.lo), std::fmax(left.hi, right.hi)};
-  }
-  const bool negative = y.lo < 0;
-  return hull_of_corners(x, y, [&](double a, double b, mpfr_rnd_t to) {
-    return quotient(a, b, negative, to); // inf / inf: NaN, between the other corners
-  });
-}
-
-/// x y + z at a corner; 0 times an infinite bound is 0.
-double fused(double a, double b, double c, mpfr_rnd_t to) {
-  if (a == 0 || b == 0)
-    return c;
-  return oracle::rounded(mpfr_fma, to, a, b, c);
-}
-
-} // namespace
 
 TEST_CASE("interval.fma: the point function is MPFR's on hard operands", "[mpfr][hardcase]") {
   hard_operands numbers(1);
@@ -144,45 +100,20 @@ TEST_CASE("interval.arithmetic: tightest on hard boxes", "[mpfr][hardcase]") {
   };
   for (int i = 0; i < inputs(); ++i) {
     const bounds x = boxes.next(), y = boxes.next(), z = boxes.next();
-    const bool none = x.is_empty() || y.is_empty();
-    const auto or_empty = [](bool empty, const bounds& b) { return empty ? bounds::empty() : b; };
-    check("add", f::add::value(x, y),
-          or_empty(none, {oracle::rounded_down(mpfr_add, x.lo, y.lo),
-                          oracle::rounded_up(mpfr_add, x.hi, y.hi)}),
-          x, y, z);
-    check("sub", f::sub::value(x, y),
-          or_empty(none, {oracle::rounded_down(mpfr_sub, x.lo, y.hi),
-                          oracle::rounded_up(mpfr_sub, x.hi, y.lo)}),
-          x, y, z);
-    check("mul", f::mul::value(x, y), or_empty(none, hull_of_corners(x, y, product)), x, y, z);
-    check("div", f::div::value(x, y), divided(x, y), x, y, z);
-    check("recip", f::recip::value(x), divided({1, 1}, x), x, y, z);
-    const bounds square =
-        or_empty(x.is_empty(), hull_of_corners(x, {1, 1}, [](double a, double, mpfr_rnd_t to) {
-                   return oracle::rounded(mpfr_sqr, to, a);
-                 }));
-    check("sqr", f::sqr::value(x), x.contains(0) ? bounds{0, square.hi} : square, x, y, z);
-    check("sqrt", f::sqrt::value(x),
-          or_empty(x.is_empty() || x.hi < 0, {oracle::rounded_down(mpfr_sqrt, std::fmax(x.lo, 0)),
-                                              oracle::rounded_up(mpfr_sqrt, x.hi)}),
-          x, y, z);
-    const double small = std::fmin(std::fabs(x.lo), std::fabs(x.hi));
-    check("abs", f::abs::value(x),
-          or_empty(x.is_empty(),
-                   {x.contains(0) ? 0 : small, std::fmax(std::fabs(x.lo), std::fabs(x.hi))}),
-          x, y, z);
-    check("min", f::min::value(x, y),
-          or_empty(none, {std::fmin(x.lo, y.lo), std::fmin(x.hi, y.hi)}), x, y, z);
-    check("max", f::max::value(x, y),
-          or_empty(none, {std::fmax(x.lo, y.lo), std::fmax(x.hi, y.hi)}), x, y, z);
-    const bounds low = hull_of_corners(
-        x, y, [&](double a, double b, mpfr_rnd_t to) { return fused(a, b, z.lo, to); });
-    const bounds high = hull_of_corners(
-        x, y, [&](double a, double b, mpfr_rnd_t to) { return fused(a, b, z.hi, to); });
-    check("fma", f::fma::value(x, y, z),
-          or_empty(none || z.is_empty(),
-                   {z.lo == -infinity ? z.lo : low.lo, z.hi == infinity ? z.hi : high.hi}),
-          x, y, z);
+#define GRAZE_CHECK(name, ...)                                                                     \
+  check(#name, f::name::value(__VA_ARGS__), ranges::name(__VA_ARGS__), x, y, z)
+    GRAZE_CHECK(add, x, y);
+    GRAZE_CHECK(sub, x, y);
+    GRAZE_CHECK(mul, x, y);
+    GRAZE_CHECK(div, x, y);
+    GRAZE_CHECK(recip, x);
+    GRAZE_CHECK(sqr, x);
+    GRAZE_CHECK(sqrt, x);
+    GRAZE_CHECK(abs, x);
+    GRAZE_CHECK(min, x, y);
+    GRAZE_CHECK(max, x, y);
+    GRAZE_CHECK(fma, x, y, z);
+#undef GRAZE_CHECK
   }
   for (std::size_t i = 0; i < std::min<std::size_t>(wrong.size(), 5); ++i)
     UNSCOPED_INFO(wrong[i]);

@@ -104,7 +104,7 @@ TEST_CASE("interval.exp: both ends at once are right where decided, and nearly a
   }
   const test::unary& f = test::unary_functions().front();
   REQUIRE(std::string(f.name) == "exp");
-  test::elementary_arguments make(2718);
+  oracle::hard_arguments make(2718);
   test::verdict result;
   const int inputs = test::inputs_per_operation();
   int decided = 0, usual = 0;
@@ -151,7 +151,7 @@ const test::unary& function(const std::string& name) {
 
 /// A point for the fast evaluations: of the range, of any size, near the points where the
 /// argument's reduction changes (multiples of `step`), short fractions, and nearly a double.
-double fast_argument(test::elementary_arguments& make, const test::unary& f, int i, double lo,
+double fast_argument(oracle::hard_arguments& make, const test::unary& f, int i, double lo,
                      double hi, double step) {
   switch (i % 5) {
   case 0:
@@ -175,7 +175,7 @@ TEST_CASE("interval.log: both ends at once are right where decided, and nearly a
     return;
   }
   const test::unary& f = function("log");
-  test::elementary_arguments make(3141);
+  oracle::hard_arguments make(3141);
   test::verdict result;
   const int inputs = test::inputs_per_operation();
   int decided = 0, usual = 0;
@@ -200,7 +200,7 @@ TEST_CASE("interval.sin: both ends at once are right where decided, and nearly a
     WARN("this processor has no fused operations: not tested");
     return;
   }
-  test::elementary_arguments make(1618);
+  oracle::hard_arguments make(1618);
   for (const char* name : {"sin", "cos", "tan"}) {
     const test::unary& f = function(name);
     test::verdict result;
@@ -210,7 +210,8 @@ TEST_CASE("interval.sin: both ends at once are right where decided, and nearly a
       const double size = i % 2 ? 10 : 1024;
       const double a = fast_argument(make, f, i, -size, size, 0x1.921fb54442d18p-8);
       // Ends beside each other, so that no extreme and no pole is between them.
-      const double b = i % 3 ? a : test::hard_operands::step(a, static_cast<int>(make.below(100)));
+      const double b =
+          i % 3 ? a : oracle::hard_operands::step(a, static_cast<int>(make.below(100)));
       const double least = std::fabs(std::remainder(a, 0x1.921fb54442d18p+0)); // of pi/2
       const double lo = std::min(a, b), hi = std::max(a, b);
       const bounds both = name[0] == 't'
@@ -236,7 +237,7 @@ TEST_CASE("interval.atan2: both corners at once are right where decided, and nea
     WARN("this processor has no fused operations: not tested");
     return;
   }
-  test::elementary_arguments make(5772);
+  oracle::hard_arguments make(5772);
   test::verdict result;
   const int inputs = test::inputs_per_operation();
   int decided = 0, usual = 0;
@@ -261,7 +262,7 @@ TEST_CASE("interval.atan2: both corners at once are right where decided, and nea
       x = std::floor(x), y = std::floor(y);
       break;
     case 5: // denominators of all bits set
-      x = test::hard_operands::step(std::ldexp(1, static_cast<int>(make.below(8))), -1);
+      x = oracle::hard_operands::step(std::ldexp(1, static_cast<int>(make.below(8))), -1);
       y = make.nudged(x * static_cast<double>(make.below(257)) * 0x1p-8);
       break;
     default:

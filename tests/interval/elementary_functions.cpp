@@ -63,44 +63,4 @@ std::vector<double> literals_of(const std::string& function) {
   return found;
 }
 
-double nearly_a_double(const unary& f, double x) {
-  constexpr int steps = 1 << 14;
-  const double last = hard_operands::step(x, steps);
-  oracle::number value(160), other(160), argument;
-  const auto evaluate = [&](double at, mpfr_ptr into) {
-    mpfr_set_d(argument, at, MPFR_RNDN);
-    f.exact(into, argument, MPFR_RNDN);
-  };
-  evaluate(x, value);
-  evaluate(last, other);
-  if (!mpfr_regular_p(value) || !mpfr_regular_p(other) || std::signbit(x) != std::signbit(last))
-    return x;
-  // In units of 2^-64 ulp, modulo the ulp.
-  const auto exponent = mpfr_get_exp(value);
-  if (exponent < -1000)
-    return x;
-  const auto fraction = [&](mpfr_ptr t) {
-    oracle::number scaled(160), whole(160);
-    mpfr_mul_2si(scaled, t, 53 - exponent, MPFR_RNDN);
-    mpfr_floor(whole, scaled);
-    mpfr_sub(scaled, scaled, whole, MPFR_RNDN);
-    mpfr_mul_2ui(scaled, scaled, 64, MPFR_RNDN);
-    return mpfr_get_uj(scaled, MPFR_RNDZ);
-  };
-  const std::uint64_t start = fraction(value);
-  mpfr_sub(other, other, value, MPFR_RNDN);
-  mpfr_div_ui(other, other, steps, MPFR_RNDN);
-  const std::uint64_t slope = fraction(other);
-  std::uint64_t here = start, least = ~std::uint64_t{0};
-  int best = 0;
-  for (int k = 0; k < steps; ++k, here += slope) {
-    const std::uint64_t distance = here >> 63 ? ~here + 1 : here;
-    if (distance < least && distance != 0) {
-      least = distance;
-      best = k;
-    }
-  }
-  return hard_operands::step(x, best);
-}
-
 } // namespace graze::test

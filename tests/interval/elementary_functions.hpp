@@ -1,6 +1,6 @@
 #pragma once
 /// The directed point functions, with MPFR's of the same value and where they are of interest.
-#include "elementary_arguments.hpp"
+#include <graze/oracle/hard_arguments.hpp>
 #include <mpfr.h>
 #include <span>
 #include <vector>
@@ -12,7 +12,7 @@ struct unary {
   double (*down)(double);
   double (*up)(double);
   int (*exact)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
-  active_range active;
+  oracle::active_range active;
   const char* core_math; ///< its name there, without cr_
 };
 struct binary {
@@ -29,9 +29,8 @@ std::span<const binary> binary_functions();
 /// double: among them the exceptional cases that its fast evaluations do not decide.
 std::vector<double> literals_of(const std::string& function);
 
-/// Beside x, on a step of doubles where f is nearly linear, the argument whose value is nearest to
-/// a double but not equal: 2^-14 of an ulp off, or less. There the first, fast evaluation of a
-/// correctly rounded function cannot decide.
-double nearly_a_double(const unary& f, double x);
+inline double nearly_a_double(const unary& f, double x) {
+  return oracle::nearly_a_double(f.exact, x);
+}
 
 } // namespace graze::test

@@ -24,7 +24,7 @@ TEST_CASE("interval.points: hard cases that CORE-MATH's sources name", "[mpfr][h
     for (const double literal : arguments)
       for (const int beside : {-1, 0, 1})
         for (const double sign : {1.0, -1.0}) {
-          const double x = sign * test::hard_operands::step(literal, beside);
+          const double x = sign * oracle::hard_operands::step(literal, beside);
           result.judge(f.name, oracle::enclosed(f.exact, x), {f.down(x), f.up(x)}, x);
         }
     result.check();
@@ -79,7 +79,7 @@ TEST_CASE("interval.points: CRlibm's own hard cases, where GRAZE_CRLIBM_TESTS ha
 TEST_CASE("interval.points: values that are nearly doubles", "[property][mpfr][hardcase]") {
   const int inputs = test::inputs_per_operation() / 50;
   for (const test::unary& f : test::unary_functions()) {
-    test::elementary_arguments make(1993);
+    oracle::hard_arguments make(1993);
     test::verdict result;
     for (int i = 0; i < inputs; ++i) {
       double x = make.uniform(f.active.lo, f.active.hi);
@@ -118,7 +118,7 @@ TEST_CASE("interval.core_math: with and without fused operations, the same bits 
   const int inputs = test::inputs_per_operation() / 5;
   for (const hardware::mode mode : {hardware::mode::up, hardware::mode::down}) {
     for (const one& f : functions) {
-      test::elementary_arguments make(1997);
+      oracle::hard_arguments make(1997);
       test::verdict result;
       for (int i = 0; i < inputs; ++i) {
         const double x = make.point({-4, 4});
@@ -132,7 +132,7 @@ TEST_CASE("interval.core_math: with and without fused operations, the same bits 
       result.check();
     }
     for (const two& f : binaries) {
-      test::elementary_arguments make(1999);
+      oracle::hard_arguments make(1999);
       test::verdict result;
       for (int i = 0; i < inputs; ++i) {
         const double x = make.point({-4, 4}), y = make.point({-30, 30});

@@ -1,16 +1,17 @@
 // The elementary functions of intervals against MPFR: sound, and 0 ulp wide of the range.
-#include "elementary_arguments.hpp"
 #include "verdict.hpp"
 #include <algorithm>
 #include <graze/functions/exponential.hpp>
 #include <graze/functions/hyperbolic.hpp>
 #include <graze/functions/power.hpp>
 #include <graze/functions/trigonometric.hpp>
-#include <graze/oracle/elementary.hpp>
+#include <graze/oracle/hard_arguments.hpp>
+#include <graze/oracle/ranges.hpp>
 #include <graze/rounding/upward.hpp>
 
 namespace test = graze::test;
 namespace oracle = graze::oracle;
+namespace ranges = graze::oracle::ranges;
 namespace functions = graze::functions;
 using graze::bounds;
 using graze::decoration;
@@ -18,12 +19,11 @@ using graze::decoration;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-using mpfr_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
 /// Sound and tightest on every kind of interval.
 template <class Function, class Judge>
-void compare(const char* name, test::active_range active, Judge judge) {
-  test::elementary_arguments make(1788);
+void compare(const char* name, oracle::active_range active, Judge judge) {
+  oracle::hard_arguments make(1788);
   test::verdict result;
   for (int i = 0, n = test::inputs_per_operation(); i < n; ++i) {
     const bounds x = make.interval(active);
@@ -37,130 +37,10 @@ void compare(const char* name, test::active_range active, Judge judge) {
   result.check();
 }
 
-/// Increasing on the domain [lo, hi]; at its ends the value or the limit.
-auto increasing(mpfr_function f, double lo = -infinity, double hi = infinity, bool closed = true) {
-  return [=](const bounds& x) {
-    const bounds part{std::max(x.lo, lo), std::min(x.hi, hi)};
-    const bool none = x.is_empty() || (closed ? part.lo > part.hi : x.hi <= lo || x.lo >= hi);
-    return none ? bounds::empty() : oracle::increasing(f, part);
-  };
-}
-
-/// floor(2x/pi + shift), exactly: 1,300 bits leave 200 for the distance to the nearest multiple.
-class quarters {
-public:
-  quarters(double x, int shift) : count_(1300) {
-    mpfr_const_pi(count_, MPFR_RNDN);
-    mpfr_d_div(count_, x, count_, MPFR_RNDN);
-    mpfr_mul_2ui(count_, count_, 1, MPFR_RNDN);
-    mpfr_add_si(count_, count_, shift, MPFR_RNDN);
-    mpfr_floor(count_, count_);
-  }
-  /// Is there an integer k with a < k <= b and k mod 4 = residue?
-  static bool between(quarters& a, quarters& b, unsigned long residue) {
-    oracle::number k(1300);
-    mpfr_sub_ui(k, b.count_, residue, MPFR_RNDN);
-    mpfr_div_ui(k, k, 4, MPFR_RNDN);
-    mpfr_floor(k, k);
-    mpfr_mul_ui(k, k, 4, MPFR_RNDN);
-    mpfr_add_ui(k, k, residue, MPFR_RNDN); // the greatest such k <= b
-    return mpfr_greater_p(k, a.count_) != 0;
-  }
-
-private:
-  oracle::number count_;
-};
-
-auto wave(mpfr_function f, int shift) {
-  return [=](const bounds& x) {
-    if (x.is_empty())
-      return x;
-    if (!x.is_common())
-      return bounds{-1, 1};
-    const bounds a = oracle::enclosed(f, x.lo), b = oracle::enclosed(f, x.hi);
-    quarters from(x.lo, shift), to(x.hi, shift);
-    return bounds{quarters::between(from, to, 3) ? -1 : std::min(a.lo, b.lo),
-                  quarters::between(from, to, 1) ? 1 : std::max(a.hi, b.hi)};
-  };
-}
-
-bounds tangent(const bounds& x) {
-  if (x.is_empty())
-    return x;
-  if (!x.is_common())
-    return bounds::entire();
-  quarters from(x.lo, 0), to(x.hi, 0);
-  if (quarters::between(from, to, 1) || quarters::between(from, to, 3))
-    return bounds::entire();
-  return oracle::increasing(mpfr_tan, x);
-}
-
-bounds cosine_hyperbolic(const bounds& x) {
-  if (x.is_empty())
-    return x;
-  const bounds a = oracle::enclosed(mpfr_cosh, x.lo), b = oracle::enclosed(mpfr_cosh, x.hi);
-  return {x.contains(0) ? 1 : std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
-}
-
-bounds hull(const bounds& a, const bounds& b) {
-  if (a.is_empty() || b.is_empty())
-    return a.is_empty() ? b : a;
-  return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
-}
-
-/// The angle takes its extremes at the corners of the parts above and below the x axis. A corner
-/// (0, 0) is no point, one at (inf, inf) no limit: the corners beside them have the extremes.
-bounds angle(const bounds& y, const bounds& x) {
-  bounds range = bounds::empty();
-  if (x.is_empty() || y.is_empty())
-    return range;
-  const auto corner = [&](double s, double t) {
-    if ((s == 0 && t == 0) || (std::fabs(s) == infinity && std::fabs(t) == infinity))
-      return;
-    range = hull(range, oracle::enclosed(mpfr_atan2, s, t));
-  };
-  for (const double t : {x.lo, x.hi}) {
-    if (y.hi >= 0) {
-      corner(y.hi == 0 ? 0.0 : y.hi, t);
-      corner(y.lo > 0 ? y.lo : 0.0, t);
-    }
-    if (y.lo < 0) {
-      corner(y.lo, t);
-      corner(y.hi < 0 ? y.hi : -0.0, t);
-    }
-  }
-  return range;
-}
-
-/// y log x takes its extremes at corners. 0^0 and inf^0 stand for the 1 = s^0 beside them, 1^inf
-/// for 1^t.
-bounds power(const bounds& x, const bounds& y) {
-  bounds range = bounds::empty();
-  if (x.is_empty() || y.is_empty() || x.hi < 0)
-    return range;
-  if (x.hi == 0)
-    return y.hi > 0 ? bounds{0, 0} : range;
-  for (const double s : {std::max(x.lo, 0.0), x.hi})
-    for (const double t : {y.lo, y.hi})
-      range = hull(range, oracle::enclosed(mpfr_pow, s == 0 ? 0.0 : s, t));
-  return range;
-}
-
-bounds magnitudes(const bounds& x) {
-  const double a = std::fabs(x.lo), b = std::fabs(x.hi);
-  return {x.contains(0) ? 0 : std::min(a, b), std::max(a, b)};
-}
-bounds length(const bounds& x, const bounds& y) {
-  if (x.is_empty() || y.is_empty())
-    return bounds::empty();
-  const bounds a = magnitudes(x), b = magnitudes(y);
-  return {oracle::rounded_down(mpfr_hypot, a.lo, b.lo), oracle::rounded_up(mpfr_hypot, a.hi, b.hi)};
-}
-
 template <class Function, class Judge>
-void compare_boxes(const char* name, test::active_range first, test::active_range second,
+void compare_boxes(const char* name, oracle::active_range first, oracle::active_range second,
                    Judge judge) {
-  test::elementary_arguments make(2008);
+  oracle::hard_arguments make(2008);
   test::verdict result;
   const auto compare_one = [&](const bounds& x, const bounds& y) {
     result.judge(name, judge(x, y), Function::value(x, y), x.lo, x.hi, y.lo, y.hi);
@@ -183,43 +63,40 @@ void compare_boxes(const char* name, test::active_range first, test::active_rang
 
 TEST_CASE("interval.exponential: encloses MPFR on hard cases, 0 ulp",
           "[property][mpfr][hardcase]") {
-  compare<functions::exp>("exp", {-746, 710}, increasing(mpfr_exp));
-  compare<functions::exp2>("exp2", {-1076, 1025}, increasing(mpfr_exp2));
-  compare<functions::exp10>("exp10", {-324, 309}, increasing(mpfr_exp10));
-  compare<functions::expm1>("expm1", {-40, 710}, increasing(mpfr_expm1));
-  compare<functions::log>("log", {0, 10}, increasing(mpfr_log, 0, infinity, false));
-  compare<functions::log2>("log2", {0, 10}, increasing(mpfr_log2, 0, infinity, false));
-  compare<functions::log10>("log10", {0, 10}, increasing(mpfr_log10, 0, infinity, false));
-  compare<functions::logp1>("logp1", {-1, 10}, increasing(mpfr_log1p, -1, infinity, false));
+  compare<functions::exp>("exp", {-746, 710}, ranges::exp);
+  compare<functions::exp2>("exp2", {-1076, 1025}, ranges::exp2);
+  compare<functions::exp10>("exp10", {-324, 309}, ranges::exp10);
+  compare<functions::expm1>("expm1", {-40, 710}, ranges::expm1);
+  compare<functions::log>("log", {0, 10}, ranges::log);
+  compare<functions::log2>("log2", {0, 10}, ranges::log2);
+  compare<functions::log10>("log10", {0, 10}, ranges::log10);
+  compare<functions::logp1>("logp1", {-1, 10}, ranges::logp1);
 }
 
 TEST_CASE("interval.trigonometric: encloses MPFR on hard cases, 0 ulp",
           "[property][mpfr][hardcase]") {
-  compare<functions::sin>("sin", {-20, 20}, wave(mpfr_sin, 0));
-  compare<functions::cos>("cos", {-20, 20}, wave(mpfr_cos, 1));
-  compare<functions::tan>("tan", {-20, 20}, tangent);
-  compare<functions::asin>("asin", {-1, 1}, increasing(mpfr_asin, -1, 1));
-  compare<functions::acos>("acos", {-1, 1}, [](const bounds& x) {
-    const bounds part{std::max(x.lo, -1.0), std::min(x.hi, 1.0)};
-    return part.lo <= part.hi ? oracle::decreasing(mpfr_acos, part) : bounds::empty();
-  });
-  compare<functions::atan>("atan", {-20, 20}, increasing(mpfr_atan));
-  compare_boxes<functions::atan2>("atan2", {-10, 10}, {-10, 10}, angle);
+  compare<functions::sin>("sin", {-20, 20}, ranges::sin);
+  compare<functions::cos>("cos", {-20, 20}, ranges::cos);
+  compare<functions::tan>("tan", {-20, 20}, ranges::tan);
+  compare<functions::asin>("asin", {-1, 1}, ranges::asin);
+  compare<functions::acos>("acos", {-1, 1}, ranges::acos);
+  compare<functions::atan>("atan", {-20, 20}, ranges::atan);
+  compare_boxes<functions::atan2>("atan2", {-10, 10}, {-10, 10}, ranges::atan2);
 }
 
 TEST_CASE("interval.hyperbolic: encloses MPFR on hard cases, 0 ulp", "[property][mpfr][hardcase]") {
-  compare<functions::sinh>("sinh", {-711, 711}, increasing(mpfr_sinh));
-  compare<functions::cosh>("cosh", {-711, 711}, cosine_hyperbolic);
-  compare<functions::tanh>("tanh", {-20, 20}, increasing(mpfr_tanh));
-  compare<functions::asinh>("asinh", {-20, 20}, increasing(mpfr_asinh));
-  compare<functions::acosh>("acosh", {1, 20}, increasing(mpfr_acosh, 1));
-  compare<functions::atanh>("atanh", {-1, 1}, increasing(mpfr_atanh, -1, 1, false));
+  compare<functions::sinh>("sinh", {-711, 711}, ranges::sinh);
+  compare<functions::cosh>("cosh", {-711, 711}, ranges::cosh);
+  compare<functions::tanh>("tanh", {-20, 20}, ranges::tanh);
+  compare<functions::asinh>("asinh", {-20, 20}, ranges::asinh);
+  compare<functions::acosh>("acosh", {1, 20}, ranges::acosh);
+  compare<functions::atanh>("atanh", {-1, 1}, ranges::atanh);
 }
 
 TEST_CASE("interval.power: encloses MPFR on hard cases, 0 ulp", "[property][mpfr][hardcase]") {
-  compare<functions::cbrt>("cbrt", {-20, 20}, increasing(mpfr_cbrt));
-  compare_boxes<functions::hypot>("hypot", {-10, 10}, {-10, 10}, length);
-  compare_boxes<functions::pow>("pow", {0, 4}, {-20, 20}, power);
+  compare<functions::cbrt>("cbrt", {-20, 20}, ranges::cbrt);
+  compare_boxes<functions::hypot>("hypot", {-10, 10}, {-10, 10}, ranges::hypot);
+  compare_boxes<functions::pow>("pow", {0, 4}, {-20, 20}, ranges::pow);
 }
 
 TEST_CASE("interval.elementary: decorations say where a function is defined and continuous",

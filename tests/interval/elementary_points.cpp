@@ -14,7 +14,7 @@ using graze::bounds;
 namespace {
 
 /// Cubes and their roots, sums of two squares, powers: where a value is a double.
-double exact_argument(test::elementary_arguments& make) {
+double exact_argument(oracle::hard_arguments& make) {
   const auto n = static_cast<double>(make.below(1 << 18));
   const double cube = n * n * n; // below 2^54: exact where 53 bits are enough, else next to exact
   return make.nudged(
@@ -27,7 +27,7 @@ TEST_CASE("interval.points: functions of one argument equal MPFR in both directi
           "[property][mpfr][hardcase]") {
   const int inputs = test::inputs_per_operation();
   for (const test::unary& f : test::unary_functions()) {
-    test::elementary_arguments make(1788);
+    oracle::hard_arguments make(1788);
     test::verdict result;
     for (int i = 0; i < inputs; ++i) {
       const double x =
@@ -42,8 +42,8 @@ TEST_CASE("interval.points: functions of two arguments equal MPFR in both direct
           "[property][mpfr][hardcase]") {
   const int inputs = test::inputs_per_operation();
   for (const test::binary& f : test::binary_functions()) {
-    test::elementary_arguments make(2008);
-    test::hard_operands pairs(1985);
+    oracle::hard_arguments make(2008);
+    oracle::hard_operands pairs(1985);
     test::verdict result;
     for (int i = 0; i < inputs; ++i) {
       double x, y;
@@ -82,8 +82,8 @@ TEST_CASE("interval.points: functions of two arguments equal MPFR in both direct
         break;
       }
       default: {
-        const auto pair = pairs.next(static_cast<test::hardness>(
-            make.below(static_cast<std::uint64_t>(test::hardness::count))));
+        const auto pair = pairs.next(static_cast<oracle::hardness>(
+            make.below(static_cast<std::uint64_t>(oracle::hardness::count))));
         x = pair.x, y = pair.y;
       }
       }

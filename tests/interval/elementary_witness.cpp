@@ -66,7 +66,7 @@ TEST_CASE("interval.witness: CORE-MATH and CRlibm agree, but where CRlibm is wro
                                                     : ": CRlibm is unsound";
       disagreements.insert(test::call(f.name, x) + verdict);
     };
-    test::elementary_arguments make(2003);
+    oracle::hard_arguments make(2003);
     const int inputs = test::inputs_per_operation();
     for (int i = 0; i < inputs; ++i)
       compare(make.point(f.active));
@@ -75,7 +75,7 @@ TEST_CASE("interval.witness: CORE-MATH and CRlibm agree, but where CRlibm is wro
     for (const double literal : test::literals_of(witness.name))
       for (const int beside : {-1, 0, 1})
         for (const double sign : {1.0, -1.0})
-          compare(sign * test::hard_operands::step(literal, beside));
+          compare(sign * oracle::hard_operands::step(literal, beside));
   }
   for (const std::string& line : disagreements)
     UNSCOPED_INFO(line);

@@ -1,6 +1,6 @@
 // The integer operations behind `nearest`, over all inputs and not only those that reach them.
-#include "hard_operands.hpp"
 #include <catch2/catch.hpp>
+#include <graze/oracle/hard_operands.hpp>
 #include <graze/oracle/rounding.hpp>
 #include <graze/rounding/nearest.hpp>
 
@@ -12,11 +12,11 @@ TEST_CASE("interval.exact: integer operations equal MPFR bit for bit", "[propert
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
   };
   using enum exact::direction;
-  graze::test::hard_operands make(128);
-  constexpr auto kinds = static_cast<std::uint64_t>(graze::test::hardness::count);
+  graze::oracle::hard_operands make(128);
+  constexpr auto kinds = static_cast<std::uint64_t>(graze::oracle::hardness::count);
   long wrong = 0;
   for (int i = 0; i < 200'000; ++i) {
-    const auto [x, y] = make.next(static_cast<graze::test::hardness>(make.below(kinds)));
+    const auto [x, y] = make.next(static_cast<graze::oracle::hardness>(make.below(kinds)));
     wrong += !same(exact::add(x, y, up), mpfr::add_up(x, y)) +
              !same(exact::add(x, y, down), mpfr::add_down(x, y)) +
              !same(exact::mul(x, y, up), mpfr::mul_up(x, y)) +

@@ -1,11 +1,11 @@
 // + - * / sqr sqrt on hard intervals, bounded, unbounded and empty: inclusion and tightness, judged
 // by MPFR through a formula that shares nothing with the operators.
-#include "hard_operands.hpp"
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
 #include <graze/interval.hpp>
+#include <graze/oracle/hard_operands.hpp>
 #include <graze/oracle/rounding.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/switching.hpp>
@@ -15,9 +15,9 @@
 #include <string>
 
 namespace rounding = graze::rounding;
+using graze::oracle::hard_operands;
+using graze::oracle::hardness;
 using graze::oracle::mpfr;
-using graze::test::hard_operands;
-using graze::test::hardness;
 
 namespace {
 

@@ -1,15 +1,15 @@
 // Numbers of an interval: GMP's rationals tell what is nearest and what is least.
 #include "exact_judge.hpp"
-#include "hard_boxes.hpp"
 #include <catch2/catch.hpp>
 #include <graze/construct.hpp>
 #include <graze/numeric.hpp>
+#include <graze/oracle/hard_boxes.hpp>
 
 using graze::bounds;
 using graze::test::rational;
 
 TEST_CASE("interval.numeric: mid, rad and wid are correctly rounded", "[mpfr][hardcase]") {
-  graze::test::hard_boxes boxes(6);
+  graze::oracle::hard_boxes boxes(6);
   for (int i = 0; i < graze::test::inputs(); ++i) {
     const bounds x = boxes.next();
     CAPTURE(x.lo, x.hi);

@@ -2,151 +2,18 @@
 // points and its own whereabouts of poles and extrema; and their decorations.
 #include "rare_judge.hpp"
 #include <catch2/catch.hpp>
-#include <gmpxx.h>
 #include <graze/functions/integer_power.hpp>
 #include <graze/functions/reciprocal_hyperbolic.hpp>
 #include <graze/functions/reciprocal_trigonometric.hpp>
+#include <graze/oracle/ranges.hpp>
 
 using namespace graze;
 using namespace graze::test;
+namespace ranges = graze::oracle::ranges;
 
 namespace {
 
-constexpr decoration trv = decoration::trv, dac = decoration::dac;
-
-struct expected {
-  bounds value;
-  decoration local;
-};
-
-/// The multiples of pi/2 from x.lo to x.hi, ends included: the first and the last.
-struct multiples {
-  mpz_class first, last;
-  [[nodiscard]] bool any(int residue, unsigned modulus) const {
-    mpz_class next;
-    mpz_fdiv_r_ui(next.get_mpz_t(), mpz_class(residue - first).get_mpz_t(), modulus);
-    return first + next <= last;
-  }
-};
-multiples multiples_in(const bounds& x) {
-  static const auto* two_over_pi = [] {
-    auto* r = new oracle::number(mpfr_prec_t{1400});
-    mpfr_const_pi(*r, MPFR_RNDN);
-    mpfr_ui_div(*r, 2, *r, MPFR_RNDN);
-    return r;
-  }();
-  oracle::number quotient(mpfr_prec_t{1300});
-  multiples m;
-  mpfr_mul_d(quotient, const_cast<oracle::number&>(*two_over_pi), x.lo, MPFR_RNDN);
-  mpfr_get_z(m.first.get_mpz_t(), quotient, MPFR_RNDU);
-  mpfr_mul_d(quotient, const_cast<oracle::number&>(*two_over_pi), x.hi, MPFR_RNDN);
-  mpfr_get_z(m.last.get_mpz_t(), quotient, MPFR_RNDD);
-  return m;
-}
-
-/// cot, sec, csc: poles at the multiples of pi/2 of one parity; for sec and csc extrema of 1 and -1
-/// at the others, the one of value 1 at `top` mod 4.
-template <class Function>
-expected circular(Function f, const bounds& x, bool odd_poles, bool extrema, int top) {
-  if (x.lo == 0 && x.hi == 0)
-    return odd_poles ? expected{{1, 1}, dac} : expected{bounds::empty(), trv};
-  if (!(x.lo > -infinity && x.hi < infinity))
-    return {bounds::entire(), trv};
-  const multiples m = multiples_in(x);
-  const bool pole = m.any(odd_poles ? 1 : 0, 2);
-  const bool at_low = !odd_poles && x.lo == 0, at_high = !odd_poles && x.hi == 0;
-  if (pole && !at_low && !at_high)
-    return {bounds::entire(), trv};
-  if (pole && (at_low ? m.last >= 2 : m.first <= -2)) // another one
-    return {bounds::entire(), trv};
-  bounds r{infinity, -infinity};
-  const auto join = [&r](double low, double high) {
-    r = {std::min(r.lo, low), std::max(r.hi, high)};
-  };
-  if (at_low)
-    join(infinity, infinity);
-  else
-    join(oracle::rounded_down(f, x.lo), oracle::rounded_up(f, x.lo));
-  if (at_high)
-    join(-infinity, -infinity);
-  else
-    join(oracle::rounded_down(f, x.hi), oracle::rounded_up(f, x.hi));
-  if (extrema && m.any(top, 4))
-    join(1, 1);
-  if (extrema && m.any(top + 2, 4))
-    join(-1, -1);
-  return {r, pole ? trv : dac};
-}
-
-template <class Function> expected decreasing_off_zero(Function f, const bounds& x) {
-  const bool pole = x.contains(0);
-  if (x.lo == 0 && x.hi == 0)
-    return {bounds::empty(), trv};
-  if (x.lo < 0 && 0 < x.hi)
-    return {bounds::entire(), trv};
-  return {{x.hi == 0 ? -infinity : oracle::rounded_down(f, x.hi),
-           x.lo == 0 ? infinity : oracle::rounded_up(f, x.lo)},
-          pole ? trv : dac};
-}
-
-/// { f(t) : t in x } for f even, defined on the positive numbers, monotone there.
-template <class Function>
-expected even(Function f, const bounds& x, bool increasing, double at_zero) {
-  const double near = x.contains(0) ? 0 : std::min(std::fabs(x.lo), std::fabs(x.hi));
-  const double far = std::max(std::fabs(x.lo), std::fabs(x.hi));
-  const point::directed n = near == 0 ? point::directed{at_zero, at_zero} : judged(f, near);
-  const point::directed r = far == 0 ? n : judged(f, far);
-  return {increasing ? bounds{n.down, r.up} : bounds{r.down, n.up}, dac};
-}
-
-expected expected_acoth(const bounds& x) {
-  const bool defined = x.lo > 1 || x.hi < -1;
-  const bool left = x.lo < -1, right = x.hi > 1;
-  if (!left && !right)
-    return {bounds::empty(), trv};
-  if (left && right)
-    return {bounds::entire(), trv};
-  if (left)
-    return {{x.hi < -1 ? oracle::rounded_down(judge_acoth, x.hi) : -infinity,
-             oracle::rounded_up(judge_acoth, x.lo)},
-            defined ? dac : trv};
-  return {{oracle::rounded_down(judge_acoth, x.hi),
-           x.lo > 1 ? oracle::rounded_up(judge_acoth, x.lo) : infinity},
-          defined ? dac : trv};
-}
-
-expected expected_power(const bounds& x, int n) {
-  const auto f = [n](mpfr_ptr r, mpfr_srcptr a, mpfr_rnd_t to) { return mpfr_pow_si(r, a, n, to); };
-  if (n == 0)
-    return {{1, 1}, dac};
-  if (n % 2 != 0)
-    return n > 0 ? expected{oracle::increasing(f, x), dac} : decreasing_off_zero(f, x);
-  if (n > 0)
-    return even(f, x, true, 0);
-  if (x.lo == 0 && x.hi == 0)
-    return {bounds::empty(), trv};
-  return {even(f, x, false, infinity).value, x.contains(0) ? trv : dac};
-}
-
-expected expected_root(const bounds& x, int n) {
-  const auto f = [n](mpfr_ptr r, mpfr_srcptr a, mpfr_rnd_t to) {
-    return mpfr_rootn_si(r, a, n, to);
-  };
-  if (n == 0)
-    return {bounds::empty(), trv};
-  if (n % 2 != 0)
-    return n > 0 ? expected{oracle::increasing(f, x), dac} : decreasing_off_zero(f, x);
-  const decoration local = x.lo < 0 || (n < 0 && x.lo == 0) ? trv : dac;
-  if (x.hi < 0 || (n < 0 && x.hi == 0))
-    return {bounds::empty(), trv};
-  const double low = x.lo > 0 ? x.lo : 0.0;
-  if (n > 0)
-    return {oracle::increasing(f, {low, x.hi}), local};
-  return {{oracle::rounded_down(f, x.hi), low == 0 ? infinity : oracle::rounded_up(f, low)}, local};
-}
-
-/// A zero bound is of either sign; the judge's points are not to see -0, where MPFR's poles differ.
-bounds positive_zeros(const bounds& x) { return {x.lo == 0 ? 0 : x.lo, x.hi == 0 ? 0 : x.hi}; }
+constexpr decoration trv = decoration::trv;
 
 template <class F, class Inputs, class Judge, class... Exponent>
 std::string differences(const char* name, Inputs inputs, Judge judge) {
@@ -155,7 +22,7 @@ std::string differences(const char* name, Inputs inputs, Judge judge) {
   if (!F::value(bounds::empty()).is_empty() || F::local(bounds::empty()) != trv)
     return "the empty set";
   const auto see = [&](const bounds& x) {
-    const expected want = judge(positive_zeros(x));
+    const ranges::decorated want = judge(x);
     v.see(x, F::value(x), want.value);
     if (F::local(x) != want.local)
       v.see(x, bounds{double(F::local(x)), 0}, bounds{double(want.local), 0});
@@ -213,43 +80,29 @@ const auto real_arguments = [](random_doubles& random) {
 } // namespace
 
 TEST_CASE("interval.cot: the tightest enclosure on hard intervals", "[property][mpfr][hardcase]") {
-  CHECK(differences<functions::cot>("cot", circular_arguments, [](const bounds& x) {
-          return circular(mpfr_cot, x, false, false, 0);
-        }) == "");
+  CHECK(differences<functions::cot>("cot", circular_arguments, ranges::cot) == "");
 }
 TEST_CASE("interval.sec: the tightest enclosure on hard intervals", "[property][mpfr][hardcase]") {
-  CHECK(differences<functions::sec>("sec", circular_arguments, [](const bounds& x) {
-          return circular(mpfr_sec, x, true, true, 0);
-        }) == "");
+  CHECK(differences<functions::sec>("sec", circular_arguments, ranges::sec) == "");
 }
 TEST_CASE("interval.csc: the tightest enclosure on hard intervals", "[property][mpfr][hardcase]") {
-  CHECK(differences<functions::csc>("csc", circular_arguments, [](const bounds& x) {
-          return circular(mpfr_csc, x, false, true, 1);
-        }) == "");
+  CHECK(differences<functions::csc>("csc", circular_arguments, ranges::csc) == "");
 }
 TEST_CASE("interval.acot: the tightest enclosure on hard intervals", "[property][mpfr][hardcase]") {
-  CHECK(differences<functions::acot>("acot", real_arguments, [](const bounds& x) {
-          return expected{oracle::decreasing(judge_acot, x), dac};
-        }) == "");
+  CHECK(differences<functions::acot>("acot", real_arguments, ranges::acot) == "");
 }
 TEST_CASE("interval.coth: the tightest enclosure on hard intervals", "[property][mpfr][hardcase]") {
-  CHECK(differences<functions::coth>("coth", real_arguments, [](const bounds& x) {
-          return decreasing_off_zero(mpfr_coth, x);
-        }) == "");
+  CHECK(differences<functions::coth>("coth", real_arguments, ranges::coth) == "");
 }
 TEST_CASE("interval.sech: the tightest enclosure on hard intervals", "[property][mpfr][hardcase]") {
-  CHECK(differences<functions::sech>("sech", real_arguments, [](const bounds& x) {
-          return even(mpfr_sech, x, false, 1);
-        }) == "");
+  CHECK(differences<functions::sech>("sech", real_arguments, ranges::sech) == "");
 }
 TEST_CASE("interval.csch: the tightest enclosure on hard intervals", "[property][mpfr][hardcase]") {
-  CHECK(differences<functions::csch>("csch", real_arguments, [](const bounds& x) {
-          return decreasing_off_zero(mpfr_csch, x);
-        }) == "");
+  CHECK(differences<functions::csch>("csch", real_arguments, ranges::csch) == "");
 }
 TEST_CASE("interval.acoth: the tightest enclosure on hard intervals",
           "[property][mpfr][hardcase]") {
-  CHECK(differences<functions::acoth>("acoth", real_arguments, expected_acoth) == "");
+  CHECK(differences<functions::acoth>("acoth", real_arguments, ranges::acoth) == "");
 }
 
 namespace {
@@ -269,12 +122,12 @@ const auto power_arguments = [](random_doubles& random) {
 template <int N> void check_power() {
   INFO("n = " << N);
   CHECK(differences<power<N>>("pown", power_arguments,
-                              [](const bounds& x) { return expected_power(x, N); }) == "");
+                              [](const bounds& x) { return ranges::pown(x, N); }) == "");
 }
 template <int N> void check_root() {
   INFO("n = " << N);
   CHECK(differences<root<N>>("rootn", power_arguments,
-                             [](const bounds& x) { return expected_root(x, N); }) == "");
+                             [](const bounds& x) { return ranges::rootn(x, N); }) == "");
 }
 constexpr int least = std::numeric_limits<int>::min(), greatest = std::numeric_limits<int>::max();
 } // namespace

@@ -100,7 +100,7 @@ TEST_CASE("interval.csch: equals MPFR at hard points" GRAZE_PHASE, "[property][m
 }
 
 TEST_CASE("interval.acot: equals MPFR at hard points" GRAZE_PHASE, "[property][mpfr][hardcase]") {
-  const auto judge = [](double x) { return judged(judge_acot, x); };
+  const auto judge = [](double x) { return judged(oracle::ranges::mpfr_acot, x); };
   CHECK(differences("acot", point::acot, judge, [](random_doubles& random) {
           switch (random.below(8)) {
           case 0:
@@ -118,7 +118,7 @@ TEST_CASE("interval.acot: equals MPFR at hard points" GRAZE_PHASE, "[property][m
 }
 
 TEST_CASE("interval.acoth: equals MPFR at hard points" GRAZE_PHASE, "[property][mpfr][hardcase]") {
-  const auto judge = [](double x) { return judged(judge_acoth, x); };
+  const auto judge = [](double x) { return judged(oracle::ranges::mpfr_acoth, x); };
   CHECK(differences("acoth", point::acoth, judge, [](random_doubles& random) {
           switch (random.below(8)) {
           case 0:

@@ -1,13 +1,13 @@
 // Sums: GMP's rationals, rounded once by MPFR.
 #include "exact_judge.hpp"
-#include "hard_operands.hpp"
 #include <catch2/catch.hpp>
+#include <graze/oracle/hard_operands.hpp>
 #include <graze/reductions.hpp>
 #include <vector>
 
 using graze::rounded;
-using graze::test::hard_operands;
-using graze::test::hardness;
+using graze::oracle::hard_operands;
+using graze::oracle::hardness;
 
 TEST_CASE("interval.reductions: correctly rounded in each direction", "[mpfr][hardcase]") {
   hard_operands numbers(7);

@@ -1,13 +1,13 @@
 // Set operations and cancellative addition: GMP's rationals compare the widths.
 #include "exact_judge.hpp"
-#include "hard_boxes.hpp"
 #include <catch2/catch.hpp>
 #include <graze/boolean.hpp>
 #include <graze/functions/arithmetic.hpp>
 #include <graze/functions/sets.hpp>
+#include <graze/oracle/hard_boxes.hpp>
 
 using graze::bounds;
-using graze::test::hard_boxes;
+using graze::oracle::hard_boxes;
 using graze::test::inputs;
 using graze::test::rational;
 using graze::test::same;

@@ -1,9 +1,9 @@
 // Literals: what they mean is built here from their parts as a rational, never from the text; the
 // bounds must be the greatest double <= it and the least >= it.
 #include "exact_judge.hpp"
-#include "hard_boxes.hpp"
 #include <catch2/catch.hpp>
 #include <graze/boolean.hpp>
+#include <graze/oracle/hard_boxes.hpp>
 #include <graze/text.hpp>
 #include <sstream>
 
@@ -14,7 +14,7 @@ using graze::interval_to_text;
 using graze::text_style;
 using graze::text_to_decorated;
 using graze::text_to_interval;
-using graze::test::hard_operands;
+using graze::oracle::hard_operands;
 using graze::test::inputs;
 using graze::test::rational;
 using graze::test::same;
@@ -122,8 +122,8 @@ private:
   /// The exact decimal of a double, or that with one digit more: on and beside the rounding's edge.
   literal of_double() {
     double x = numbers
-                   .next(static_cast<graze::test::hardness>(
-                       numbers.below(static_cast<int>(graze::test::hardness::count))))
+                   .next(static_cast<graze::oracle::hardness>(
+                       numbers.below(static_cast<int>(graze::oracle::hardness::count))))
                    .x;
     if (!std::isfinite(x))
       x = largest;
@@ -329,7 +329,7 @@ TEST_CASE("interval.text: numbers of any size and length", "[hardcase]") {
 }
 
 TEST_CASE("interval.text: written text holds the interval and reads back", "[mpfr][hardcase]") {
-  graze::test::hard_boxes boxes(10);
+  graze::oracle::hard_boxes boxes(10);
   for (int i = 0; i < inputs() / 4; ++i) {
     const bounds x = boxes.next();
     CAPTURE(x.lo, x.hi);
@@ -361,8 +361,8 @@ TEST_CASE("interval.text: no shorter decimal lies between the bound and the next
   literals source(11);
   for (int i = 0; i < inputs() / 10; ++i) {
     const double x = std::fabs(source.numbers
-                                   .next(static_cast<graze::test::hardness>(source.numbers.below(
-                                       static_cast<int>(graze::test::hardness::count))))
+                                   .next(static_cast<graze::oracle::hardness>(source.numbers.below(
+                                       static_cast<int>(graze::oracle::hardness::count))))
                                    .x);
     if (!(x > 0 && x < largest))
       continue;

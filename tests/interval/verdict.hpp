@@ -1,10 +1,35 @@
 #pragma once
 /// Counts how many results are the tightest enclosures that MPFR gives, and keeps the first that
 /// are not.
-#include "elementary_arguments.hpp"
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <graze/bounds.hpp>
+#include <string>
 
 namespace graze::test {
+
+/// How many inputs an operation gets: GRAZE_TEST_INPUTS, 100,000 if unset.
+inline int inputs_per_operation() {
+  const char* given = std::getenv("GRAZE_TEST_INPUTS");
+  return given ? std::max(std::atoi(given), 1) : 100000;
+}
+
+/// "0x1.8p+0".
+inline std::string hexadecimal(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%a", x);
+  return text;
+}
+
+/// "exp(0x1.8p+0)", for a message.
+template <class... Doubles> std::string call(const char* name, Doubles... x) {
+  std::string text = std::string(name) + "(";
+  const char* comma = "";
+  ((text += comma, text += hexadecimal(x), comma = ", "), ...);
+  return text + ")";
+}
 
 inline bool same(double a, double b) { return a == b || (a != a && b != b); }
 inline bool same(const bounds& a, const bounds& b) { return same(a.lo, b.lo) && same(a.hi, b.hi); }

@@ -1,12 +1,13 @@
 // write_expectations FILE: hard operands and, by MPFR, the ten rounded results of each.
 #include "expectations.hpp"
-#include "hard_operands.hpp"
 #include <cstdio>
+#include <graze/oracle/hard_operands.hpp>
 #include <graze/oracle/rounding.hpp>
 #include <memory>
 #include <string>
 
 using namespace graze::test;
+using graze::oracle::hard_operands, graze::oracle::hardness, graze::oracle::operands;
 
 int main(int argc, char** argv) {
   if (argc != 2) {

@@ -1,9 +1,9 @@
 // The x87 facts of NUMERICS.
-#include "hard_operands.hpp"
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstdio>
+#include <graze/oracle/hard_operands.hpp>
 #include <graze/oracle/rounding.hpp>
 #include <graze/rounding/split.hpp>
 #include <string>
@@ -43,11 +43,11 @@ TEST_CASE("interval.split: a result kept in an x87 register would not be a doubl
 
 TEST_CASE("interval.split: rounding up twice is rounding up once", "[property][mpfr]") {
   // the x87 at 64 bits, then the store to a double: still MPFR's result, bit for bit
-  graze::test::hard_operands make(641);
+  graze::oracle::hard_operands make(641);
   long wrong = 0;
   for (int i = 0; i < 100'000; ++i) {
-    const auto [x, y] = make.next(static_cast<graze::test::hardness>(
-        make.below(static_cast<std::uint64_t>(graze::test::hardness::count))));
+    const auto [x, y] = make.next(static_cast<graze::oracle::hardness>(
+        make.below(static_cast<std::uint64_t>(graze::oracle::hardness::count))));
     double sum = 0, product = 0, quotient = 0, root = 0;
     {
       const split::scope scope;

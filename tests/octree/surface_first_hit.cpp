@@ -1,6 +1,7 @@
 // First hits judged exactly: the polynomial along each ray over rationals, its roots by Sturm.
 #include "../support/exact_roots.hpp"
 #include "surface_judge.hpp"
+#include "surface_rays.hpp"
 #include "surface_scenes.hpp"
 #include <catch2/catch.hpp>
 #include <graze/octree/gargantini.hpp>
@@ -74,33 +75,6 @@ template <class S> std::vector<ray> pixels(const S& scene) {
   return rays;
 }
 
-/// Rays in planes of the octree, along axes, from points inside the domain, with far origins and
-/// with directions from tiny to huge.
-template <class S> std::vector<ray> awkward(const S& scene, bool from_inside) {
-  judge::random_source random(20260 + static_cast<unsigned>(scene.reach * 8));
-  std::vector<ray> rays;
-  while (rays.size() < 1200) {
-    const double far = from_inside ? scene.reach : 4 * scene.reach;
-    vec3 o, d;
-    for (int a = 0; a < 3; ++a) {
-      o[a] = random.in(-far, far);
-      d[a] = random.in(-scene.reach, scene.reach) - o[a];
-      if (random.below(4) == 0)
-        o[a] = std::nearbyint(o[a] * 8) / 8;
-      if (random.below(5) == 0)
-        d[a] = 0;
-      if (random.below(7) == 0)
-        d[a] *= 0x1p-30;
-    }
-    const double scale = std::ldexp(1.0, static_cast<int>(random.below(5)) * 60 - 120);
-    for (double& x : d)
-      x *= scale;
-    if (const auto r = ray::make(o, d))
-      rays.push_back(*r);
-  }
-  return rays;
-}
-
 } // namespace
 
 TEST_CASE("octree.surface_traversal: the depth encloses the exact first root, camera rays",
@@ -122,7 +96,7 @@ TEST_CASE("octree.surface_traversal: the depth encloses the exact first root, aw
           "[property][exact]") {
   scenes::for_each([](const auto& scene) {
     for (const int level : {12, 30, 50}) {
-      const tally t = examine(scene, level, awkward(scene, false), 1e300);
+      const tally t = examine(scene, level, scenes::awkward(scene, false), 1e300);
       INFO("level " << level << ", reach " << scene.reach << ": " << t.first_wrong);
       CHECK(t.wrong == 0);
       CHECK(t.hits > 100);
@@ -135,7 +109,7 @@ TEST_CASE("octree.surface_traversal: rays from inside the domain", "[property][e
   // not for the spheres, whose polynomials have more zeros than the least of them has, seen from
   // inside
   const auto check = [](const auto& scene) {
-    const tally t = examine(scene, 30, awkward(scene, true), 1e300);
+    const tally t = examine(scene, 30, scenes::awkward(scene, true), 1e300);
     INFO("reach " << scene.reach << ": " << t.first_wrong);
     CHECK(t.wrong == 0);
     CHECK(t.hits > 100);

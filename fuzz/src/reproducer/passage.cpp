@@ -92,6 +92,8 @@ std::string spelled(const vec3& v) {
 
 std::string_view claim_of(finding kind, promise p) {
   switch (kind) {
+  case finding::gross_miss:
+    return "the ray crosses its interior, on more than 1e-3 of its edge";
   case finding::crossed_miss:
     return "the ray crosses its interior";
   case finding::gap:
@@ -112,6 +114,7 @@ std::string_view claim_of(finding kind, promise p) {
 
 std::string_view fault_of(finding kind) {
   switch (kind) {
+  case finding::gross_miss:
   case finding::crossed_miss:
   case finding::gap:
   case finding::miss:

@@ -56,6 +56,7 @@ struct relation {
 /// What can be asserted; nothing where the finding is not about whether the ray meets the box.
 std::optional<relation> relation_of(const reproduction& r) {
   switch (r.kind) {
+  case finding::gross_miss:
   case finding::crossed_miss:
     return relation{"crosses_interior", "the open interior", "<", "> 0", "crosses_interior()"};
   case finding::gap:

@@ -24,6 +24,9 @@ voxel lowest(voxel_set set) { return static_cast<voxel>(std::countr_zero(set)); 
 voxel subject_of(const trial& t, const truth& is, const visited& said, promise p, finding kind) {
   voxel_set set = 0;
   switch (kind) {
+  case finding::gross_miss:
+    set = gross(t, crossed_missed(is, said));
+    break;
   case finding::crossed_miss:
     set = crossed_missed(is, said);
     break;

@@ -7,7 +7,7 @@ namespace graze::fuzz {
 
 namespace {
 /// Margins below this are alike (ulps).
-constexpr double level_ground = 1;
+constexpr double level_ground = 0x1p-4;
 constexpr int attempts = 4;
 
 double height_of(const trial& t) { return std::max(margin(t), level_ground); }

@@ -158,6 +158,9 @@ public:
     return r;
   }
 
+  /// To registers: lanes i * Path::width onwards.
+  [[nodiscard]] GRAZE_BATCH_INLINE const part& registers(std::size_t i) const { return parts_[i]; }
+
 private:
   using f = batch::formulas<Path>;
   static constexpr std::size_t count = lanes / Path::width;

@@ -1,6 +1,8 @@
 #pragma once
 /// The octree of a trial's block, never built: a node is an octant's integer position, and a child
 /// is there where it overlaps the block. Models graze::octree::Tree.
+#include <algorithm>
+#include <bit>
 #include <graze/fuzz/trial.hpp>
 #include <graze/octree/descent.hpp>
 
@@ -26,16 +28,11 @@ public:
         {{0x55, 0xaa}, {0x33, 0xcc}, {0x0f, 0xf0}}};
     const int shift = level_ - n.level - 1;
     unsigned mask = wanted;
-    for (int a = 0; a < 3; ++a) {
-      const std::uint64_t first = first_[a] >> shift;
-      const std::uint64_t last = last_[a] >> shift;
+    for (unsigned a = 0; a < 3; ++a) { // without a branch, since a side is a coin toss
       const std::uint64_t lower = n.index[a] * 2;
-      unsigned there = 0;
-      if (first <= lower && lower <= last)
-        there |= side[a][0];
-      if (first <= lower + 1 && lower + 1 <= last)
-        there |= side[a][1];
-      mask &= there;
+      const unsigned lower_there = first_[a] >> shift <= lower ? 1 : 0;
+      const unsigned upper_there = last_[a] >> shift > lower ? 1 : 0;
+      mask &= lower_there * side[a][0] + upper_there * side[a][1];
     }
     return static_cast<std::uint8_t>(mask);
   }
@@ -44,6 +41,23 @@ public:
     return {
         {n.index[0] * 2 + (i & 1u), n.index[1] * 2 + (i >> 1 & 1u), n.index[2] * 2 + (i >> 2 & 1u)},
         n.level + 1};
+  }
+
+  /// Down to where the part of the block within the node lies on both sides of a mid-plane.
+  [[nodiscard]] octree::only_way<node> way_from(const node& n) const {
+    const int below = level_ - n.level;
+    std::array<std::uint64_t, 3> first;
+    std::uint64_t differ = 0;
+    for (unsigned a = 0; a < 3; ++a) {
+      const std::uint64_t lowest = n.index[a] << below;
+      const std::uint64_t highest = lowest + ((std::uint64_t{1} << below) - 1);
+      first[a] = std::max(first_[a], lowest);
+      differ |= first[a] ^ std::min(last_[a], highest);
+    }
+    const int open = std::bit_width(differ); // levels from where the way ends to the last one
+    for (std::uint64_t& i : first)
+      i >>= open;
+    return {{first, level_ - open}, below - open, first};
   }
 
   /// The voxel of a node at the block's level.

@@ -14,6 +14,9 @@ namespace graze::fuzz {
 /// How rays are looked for: `generators` are asked for each; `climb` starts at a generator's ray
 /// and goes on towards the smallest margin (graze/fuzz/climb.hpp).
 enum class search : std::uint8_t { generators, climb };
+std::string_view name_of(search s);
+/// By the names of name_of().
+std::optional<search> search_of(std::string_view name);
 
 /// What to run. Ray k of a campaign is trial k of the seed, by generator k mod the number of
 /// generators; in a climb, step k mod climb_length of climb k / climb_length, which starts at the
@@ -41,6 +44,7 @@ struct counts {
   std::uint64_t misses = 0;         ///< octants missed by the traversal's own promise
   std::uint64_t rays_with_miss = 0; ///< rays with such an octant
   std::uint64_t crossed_missed = 0; ///< crossed octants missed
+  std::uint64_t gross_missed = 0;   ///< those of them with a chord of more than 1e-3 of their edge
   std::uint64_t touched_missed =
       0;                  ///< touched octants missed: a convention, not a bug, if only touched
   std::uint64_t gaps = 0; ///< lengths of rays that no visited octant covers

@@ -22,6 +22,7 @@ struct stored_plan {
   std::string traversal = "sound";          ///< its name; a command where there is `external`
   std::optional<external_options> external; ///< how the command is driven
   std::vector<std::string> generators;      ///< none: all
+  std::string search = "generators";        ///< or "climb"
   std::string level = "50";                 ///< "A" or "A-B", taken in turn
   std::uint64_t seed = 1;
   std::uint64_t rays = 0;        ///< of all shards together; 0: no limit
@@ -80,8 +81,10 @@ struct campaign_state {
 /// One line, without its end.
 std::string to_json_line(const finished_piece& p);
 
-/// A finding's file: one line, which names the kind, the traversal and the ray; and its hash, the
-/// UUID (version 5: SHA-1; namespace 0) of the line, 32 hex digits.
+/// The name of a file with this content: its UUID (version 5: SHA-1; namespace 0), 32 hex digits.
+std::string content_hash(std::string_view content);
+
+/// A finding's file: one line, which names the kind, the traversal and the ray; and its hash.
 struct finding_file {
   std::string hash, line;
 };

@@ -25,6 +25,13 @@ struct external_options {
 /// it.
 expected<traversal_entry> external_traversal(const external_options& options);
 
+/// The same, not tried: for a program that is known to be there. Its promise is given.
+traversal_entry untried_external_traversal(const external_options& options, std::string_view name,
+                                           std::string_view summary);
+
+/// As one word of a shell's command line.
+std::string shell_word(std::string_view text);
+
 /// How a user asks for it: "--command '...' ...".
 std::string spelled(const external_options& options);
 

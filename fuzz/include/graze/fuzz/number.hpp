@@ -45,6 +45,13 @@ inline double keep_bits(double x, int n) {
   return std::bit_cast<double>(bits >> (length - n) << (length - n));
 }
 
+/// std::ldexp, by one multiplication where 2^exponent is a normal double.
+inline double scaled(double x, int exponent) {
+  if (exponent < -1022 || exponent > 1023)
+    return std::ldexp(x, exponent);
+  return x * std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+}
+
 /// The exact spelling of x, "0x1.8p-3".
 std::string hex(double x);
 

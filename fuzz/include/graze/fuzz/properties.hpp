@@ -82,13 +82,19 @@ inline bool out_of_order(const truth& is, const visited& said) {
 /// there nothing can be told from rounding.
 voxel_set far_spurious(const trial& t, const truth& is, const visited& said);
 
-/// The kinds of finding, most serious first; a set of them is a finding_set. `spurious` is one for
+/// Of the missed octants those with a chord (the length of the ray in the closed octant) of more
+/// than 1e-3 of their edge: rounding in double does not explain them. Exact, by rationals.
+voxel_set gross(const trial& t, voxel_set missed);
+
+/// The kinds of finding, most serious first; a set of them is a finding_set. A gross miss is a
+/// crossed miss too. `spurious` is one for
 /// an exact promise only; the first four are those of `fault`, and leave nothing else to judge.
 enum class finding : unsigned {
   crash,
   hang,
   not_a_number,
   malformed,
+  gross_miss,
   crossed_miss,
   gap,
   miss,
@@ -98,7 +104,7 @@ enum class finding : unsigned {
   spurious,
   outside
 };
-inline constexpr unsigned finding_kinds = 12;
+inline constexpr unsigned finding_kinds = 13;
 std::string_view name_of(finding f);
 
 using finding_set = unsigned;
@@ -108,8 +114,8 @@ inline finding worst(finding_set set) { return static_cast<finding>(std::countr_
 
 /// Everything that is told about one trial and one answer.
 struct verdict {
-  voxel_set touched = 0, visited = 0, missed = 0, crossed_missed = 0, touched_missed = 0,
-            spurious = 0;
+  voxel_set touched = 0, visited = 0, missed = 0, crossed_missed = 0, gross_missed = 0,
+            touched_missed = 0, spurious = 0;
   unsigned gaps = 0;
   bool order_error = false;
   bool declined = false; ///< nothing was judged

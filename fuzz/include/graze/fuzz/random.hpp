@@ -5,16 +5,11 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <graze/oracle/random_bits.hpp>
 
 namespace graze::fuzz {
 
-/// One step of splitmix64: a bijection of 64 bits that mixes well.
-constexpr std::uint64_t mix(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
+using oracle::mix;
 
 /// The stream `index` of `seed`: ray k of a campaign is stream k, so that it can be made again
 /// alone, whichever thread made it first.

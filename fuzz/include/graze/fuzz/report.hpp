@@ -21,8 +21,10 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
 
 /// A row a generator and one for all.
 std::string table(const campaign_plan& plan, const campaign_result& result);
-/// What was found, in hex floats and with its replay line; several lines.
-std::string describe(const campaign_plan& plan, const counterexample& c);
+/// What was found, in hex floats and with its replay line, and the first rays of the other kinds;
+/// several lines.
+std::string describe(const campaign_plan& plan, const campaign_result& result,
+                     const counterexample& c);
 /// One object, pretty-printed: traversal, level, seed, rays, touched, misses, gaps, spurious,
 /// order_errors, rays_per_second, first_miss_seconds, counterexample, generators and more.
 std::string to_json(const campaign_plan& plan, const campaign_result& result,

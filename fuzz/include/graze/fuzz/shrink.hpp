@@ -1,5 +1,6 @@
 #pragma once
 /// Makes a failing trial small: few octants, few levels, few significant bits, and integers.
+#include <chrono>
 #include <functional>
 #include <graze/fuzz/properties.hpp>
 #include <optional>
@@ -27,15 +28,23 @@ std::vector<trial> simpler(const trial& t);
 trial shrink(const trial& failing, const std::function<bool(const trial&)>& still_fails,
              unsigned evaluations = 30'000);
 
+/// When to be content with what there is. A traversal in another process may take seconds for a
+/// ray; others are done long before, so that what they give does not depend on the clock.
+using shrink_deadline = std::chrono::steady_clock::time_point;
+inline shrink_deadline usual_deadline() {
+  return std::chrono::steady_clock::now() + std::chrono::seconds(10);
+}
+
 /// The same for a traversal: keeps `kind` among the findings, judged exactly each time.
 trial shrink(const trial& failing, traversal& under_test, finding kind,
-             unsigned evaluations = 30'000);
+             unsigned evaluations = 30'000, shrink_deadline end = usual_deadline());
 
 /// The simplest of a few shrunk trials of this kind of finding that were small from the start
 /// (levels 1 to 3, unit octants, integers of few bits first); nothing if none fails. Always the
 /// same for a deterministic traversal. It need not be the same mistake as another finding of the
 /// kind.
 std::optional<trial> small_witness(traversal& under_test, finding kind,
-                                   unsigned evaluations = 10'000);
+                                   unsigned evaluations = 10'000,
+                                   shrink_deadline end = usual_deadline());
 
 } // namespace graze::fuzz

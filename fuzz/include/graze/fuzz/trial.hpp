@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <graze/expected.hpp>
+#include <graze/fuzz/number.hpp>
 #include <graze/octree/cube.hpp>
 #include <graze/octree/ray.hpp>
 
@@ -33,7 +34,7 @@ struct trial {
   std::array<std::uint64_t, 3> base{};
   std::array<std::uint8_t, 3> extent{1, 1, 1}; ///< octants an axis, 1..max_extent
 
-  [[nodiscard]] double size() const { return std::ldexp(root.size, -level); }
+  [[nodiscard]] double size() const { return scaled(root.size, -level); }
   /// Plane `index` of the level's grid, 0 <= index <= 2^level; an exact double. Counted from the
   /// middle, as root_cube::octant does: from the corner it would be rounded on some roots.
   [[nodiscard]] double grid_plane(int axis, std::uint64_t index) const {

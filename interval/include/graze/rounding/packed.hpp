@@ -66,6 +66,7 @@ struct hardware_up {
     return add(x, flip_first(y));
 #endif
   }
+  static GRAZE_INLINE pair sub(pair x, pair y) { GRAZE_PACKED("subpd", x, y); }
   static GRAZE_INLINE pair mul(pair x, pair y) { GRAZE_PACKED("mulpd", x, y); }
   static GRAZE_INLINE pair div(pair x, pair y) { GRAZE_PACKED("divpd", x, y); }
   /// (RD(sqrt x0), RU(sqrt x1)). The lower one as upward::sqrt_down has it.

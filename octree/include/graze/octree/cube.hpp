@@ -1,6 +1,7 @@
 #pragma once
 /// Octants, and the root cubes in which every octant's corners are exact doubles.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <graze/expected.hpp>
@@ -10,6 +11,16 @@ namespace graze::octree {
 
 /// The deepest level of any descent: the significand of a double has 53 bits.
 inline constexpr int max_level = 53;
+
+/// condition ? x : y by integers: a compiler makes a branch of that, and a coin toss is
+/// mispredicted half of the time.
+[[gnu::always_inline]] inline double choose(bool condition, double x, double y) {
+  const std::uint64_t mask = std::uint64_t{0} - std::uint64_t{condition};
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) & mask) |
+                               (std::bit_cast<std::uint64_t>(y) & ~mask));
+}
+
+template <class T> T choose(bool condition, const T& x, const T& y) { return condition ? x : y; }
 
 /// The closed box [lo, lo + size]^3-like; lo[a] + size is exact for every octant of a root_cube.
 struct cube {
@@ -21,8 +32,8 @@ struct cube {
 
   /// Child `index`: bit a is set where the child lies on the upper side of mid(a).
   [[nodiscard, gnu::always_inline]] cube child(unsigned index) const {
-    return {{(index & 1u) != 0 ? mid(0) : lo[0], (index & 2u) != 0 ? mid(1) : lo[1],
-             (index & 4u) != 0 ? mid(2) : lo[2]},
+    return {{choose((index & 1u) != 0, mid(0), lo[0]), choose((index & 2u) != 0, mid(1), lo[1]),
+             choose((index & 4u) != 0, mid(2), lo[2])},
             size / 2};
   }
 

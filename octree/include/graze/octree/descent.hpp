@@ -2,9 +2,11 @@
 /// Descent of a ray through an octree. A Method says which children the ray passes, in order; a
 /// Tree says which children there are; the visitor gets the cells that are left at the last level.
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstdint>
 #include <graze/octree/cube.hpp>
+#include <utility>
 
 namespace graze::octree {
 
@@ -34,6 +36,27 @@ private:
   unsigned count_ = 0;
 };
 
+namespace detail {
+struct reordered_masks {
+  std::uint8_t of[8][256];
+};
+consteval reordered_masks make_reordered_masks() {
+  reordered_masks r{};
+  for (unsigned flip = 0; flip < 8; ++flip)
+    for (unsigned mask = 0; mask < 256; ++mask)
+      for (unsigned i = 0; i < 8; ++i)
+        if ((mask >> i & 1) != 0)
+          r.of[flip][mask] = static_cast<std::uint8_t>(r.of[flip][mask] | 1u << (i ^ flip));
+  return r;
+}
+inline constexpr reordered_masks masks_reordered = make_reordered_masks();
+} // namespace detail
+
+/// Bit i of the mask (below 256) becomes bit i XOR flip (below 8).
+[[gnu::always_inline]] inline unsigned reordered(unsigned mask, unsigned flip) {
+  return detail::masks_reordered.of[flip][mask];
+}
+
 /// How a prepared ray goes from a cell to its children.
 /// enter(root, state): whether it passes the root at all. split(cell, state): the children passed.
 template <class M>
@@ -53,6 +76,90 @@ concept Tree = requires(const T tree, typename T::node node, const cube cell) {
   { tree.child(node, unsigned{}) } -> std::convertible_to<typename T::node>;
 };
 
+/// The way from a node to its first descendant that has several children, or to the last level:
+/// `levels` steps, each to the only child. The index of the first child on it has the bits
+/// `levels - 1` of `index`, that of the next the bits below, and so on.
+template <class Node> struct only_way {
+  Node end;
+  int levels;
+  std::array<std::uint64_t, 3> index;
+
+  /// The child on the way of the node that is `left` levels above the end, left > 0.
+  [[nodiscard, gnu::always_inline]] unsigned child(int left) const {
+    const int bit = left - 1;
+    return static_cast<unsigned>((index[0] >> bit & 1) | (index[1] >> bit & 1) << 1 |
+                                 (index[2] >> bit & 1) << 2);
+  }
+};
+
+/// Whether a descent can go child by child: the tree knows where it has but one child (`only_way
+/// way_from(node)`), and the method can be asked about one of them.
+/// first_child(cell): the child that is to be visited first; child i XOR first_child is the i-th.
+/// enter_child(cell, i, state): makes the cell's state that of child i, and says whether it is
+/// passed. Both tell what split tells.
+template <class M, class T>
+inline constexpr bool goes_child_by_child = requires(
+    const M method, const T tree, const cube cell, typename M::state state, typename T::node node) {
+  { method.first_child(cell) } -> std::same_as<unsigned>;
+  { method.enter_child(cell, 0u, state) } -> std::same_as<bool>;
+  { tree.way_from(node) } -> std::same_as<only_way<typename T::node>>;
+};
+
+/// As descend, which calls it: asks about those children alone that the tree holds, so that in a
+/// tree of few children most cells cost one test.
+template <Method M, Tree T, class Visit>
+bool descend_child_by_child(const M& method, const cube& root, int level, const T& tree,
+                            Visit&& visit, std::uint64_t* cells_opened) {
+  struct frame {
+    cube cell;
+    typename T::node node;
+    typename M::state at;
+    int depth;
+    unsigned first;
+    unsigned pending; ///< bit i: child i XOR first is still to be asked about
+  };
+  std::array<frame, max_level> stack; // of cells that have several children
+  unsigned waiting = 0;
+  std::uint64_t opened = 0;
+
+  // From a cell that is passed down to where there is a choice. True when visit said so.
+  const auto open = [&](cube cell, const typename T::node& node, typename M::state at, int depth) {
+    const only_way<typename T::node> way = tree.way_from(node);
+    for (int left = way.levels; left > 0; --left) {
+      ++opened;
+      const unsigned index = way.child(left);
+      if (!method.enter_child(cell, index, at))
+        return false;
+      cell = cell.child(index);
+    }
+    if (depth + way.levels == level)
+      return static_cast<bool>(visit(std::as_const(cell), way.end, std::as_const(at)));
+    ++opened;
+    frame& f = stack[waiting++];
+    f.cell = cell;
+    f.node = way.end;
+    f.at = at;
+    f.depth = depth + way.levels;
+    f.first = method.first_child(cell);
+    f.pending = reordered(tree.child_mask(way.end, cell, 0xff), f.first);
+    return false;
+  };
+  typename M::state at{};
+  bool stopped = method.enter(root, at) && open(root, tree.root(), at, 0);
+  while (!stopped && waiting != 0) {
+    frame& f = stack[waiting - 1];
+    const unsigned index = static_cast<unsigned>(std::countr_zero(f.pending)) ^ f.first;
+    f.pending &= f.pending - 1;
+    waiting -= f.pending == 0 ? 1 : 0; // its last child may take its place
+    at = f.at;
+    if (method.enter_child(f.cell, index, at))
+      stopped = open(f.cell.child(index), tree.child(f.node, index), at, f.depth + 1);
+  }
+  if (cells_opened != nullptr)
+    *cells_opened += opened;
+  return stopped;
+}
+
 /// Calls visit(cell, node, state) for each cell of `level` that the method passes and the tree
 /// holds, in the method's order; stops when visit returns true, and then returns true.
 /// `cells_opened`, where given, counts the cells whose children were tested. The root must be exact
@@ -60,6 +167,8 @@ concept Tree = requires(const T tree, typename T::node node, const cube cell) {
 template <Method M, Tree T, class Visit>
 bool descend(const M& method, const cube& root, int level, const T& tree, Visit&& visit,
              std::uint64_t* cells_opened = nullptr) {
+  if constexpr (goes_child_by_child<M, T>)
+    return descend_child_by_child(method, root, level, tree, visit, cells_opened);
   struct frame {
     cube cell;
     typename T::node node;

@@ -44,6 +44,10 @@ public:
   template <class Visit> GRAZE_BATCH_INLINE bool step(const Visit& visit) {
     const unsigned mirror = method_.mirror();
     const typename method_type::halves h = method_.open(corner_, half_, at_);
+    if (opened_ == most_cells_opened) [[unlikely]] {
+      stopped_ = true;
+      return false;
+    }
     ++opened_;
     const unsigned present =
         depth_ < octree_.level() ? octree_.child_mask(node_, octree_.box(), 0xff) : evaluated(h);
@@ -177,7 +181,7 @@ void first_hits_eight(const F& f, const box& domain, const sparse_octree& octree
   using method = sound_eight<Path, convention::owned>;
   using progress = first_hit_in_progress<F, method, B>;
   const typename method::scope scope;
-  if (progress::flushes()) {
+  if (results_are_flushed()) {
     for (std::size_t i = 0; i < count; ++i)
       hits[i] = progress::nothing_proven();
     return;

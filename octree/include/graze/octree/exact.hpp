@@ -67,6 +67,24 @@ public:
     });
   }
 
+  using outer::first_child;
+
+  /// What split finds out about one child.
+  [[nodiscard]] bool enter_child(const cube& cell, unsigned index, state& at) const {
+    at.closed_far &= index;
+    for (unsigned a = 0; a < 3; ++a) {
+      const auto mid = bounds::template at_plane<C>(this->axes()[a], cell.mid(static_cast<int>(a)));
+      const bool beyond = (index >> a & 1) != this->entry_side(a);
+      at.possible[a] = bounds::part(beyond, mid, at.possible[a]);
+      at.certain[a] = bounds::part(
+          beyond, this->moves(a) ? typename bounds::interval{mid.leave, mid.enter} : mid,
+          at.certain[a]);
+    }
+    return bounds::passes(at.possible[0], at.possible[1], at.possible[2]) &&
+           (certainly_passes(bounds::common(at.certain[0], at.certain[1]), at.certain[2]) ||
+            truth_.template meets<C>(cell.child(index), at.closed_far));
+  }
+
 private:
   /// For inner intervals: some t >= 0 is within both. In `owned` one that is at no face, since an
   /// equality of bounds does not say whose face it is.

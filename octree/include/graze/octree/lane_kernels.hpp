@@ -1,6 +1,7 @@
 #pragma once
-/// First hits and voxelization of a surface, eight children at a time, by the widest instructions
-/// that the processor has: the results of surface_traversal and voxelize, bit for bit, sooner.
+/// First hits and voxelization of a surface, eight children or eight rays at a time, by the widest
+/// instructions that the processor has: the results of surface_traversal, certified_traversal and
+/// voxelize, bit for bit, sooner.
 ///
 /// The kernels of the scenes' surfaces (surfaces.hpp, asterisk.hpp) are in graze::octree. For a
 /// surface of one's own: a file for each path, compiled for its instructions, that defines a table
@@ -9,6 +10,7 @@
 #include <cassert>
 #include <graze/batch.hpp>
 #include <graze/octree/asterisk.hpp>
+#include <graze/octree/certified_hit.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <graze/rounding/nearest.hpp>
@@ -25,6 +27,9 @@ template <Surface F> struct lane_kernels {
   /// The same for `count` rays, two in turn; counts are added to.
   void (*first_hits)(const F&, const box& domain, const sparse_octree&, int level, const ray* rays,
                      std::size_t count, surface_hit* hits, traversal_counts*);
+  /// certified_traversal<F>::first_hit of `count` rays; `steps`, if any, is added to.
+  void (*certified_hits)(const F&, const box& domain, const ray* rays, std::size_t count,
+                         certified_hit* hits, std::uint64_t* steps);
   /// What scalar_judge says of an octant, and what voxelization adds below it. Within a scope of
   /// lane_judge.
   std::uint8_t (*open)(const F&, const box& domain, const cube& cell);
@@ -142,6 +147,36 @@ private:
   box domain_;
   const sparse_octree* octree_;
   int level_;
+  const lane_kernels<F>* kernels_;
+};
+
+/// certified_traversal<F> by a path's kernels, eight rays at a time. One indirect call a batch.
+template <Surface F> class lane_certified_traversal {
+public:
+  /// Refuses what certified_traversal::make refuses, and a path that does not run here.
+  [[nodiscard]] static expected<lane_certified_traversal>
+  make(const F& surface, const box& domain, batch::path p = batch::path_in_use()) {
+    if (const auto reason = batch::refusal(p))
+      return unexpected{*reason};
+    if (const auto checked = certified_traversal<F>::make(surface, domain); !checked)
+      return unexpected{checked.reason()};
+    return lane_certified_traversal(surface, domain, p);
+  }
+
+  /// hits[i] = certified_traversal::first_hit(rays[i]). As many hits as rays. Any rounding mode;
+  /// any thread.
+  void first_hits(std::span<const ray> rays, std::span<certified_hit> hits,
+                  std::uint64_t* steps = nullptr) const {
+    assert(rays.size() == hits.size());
+    kernels_->certified_hits(surface_, domain_, rays.data(), rays.size(), hits.data(), steps);
+  }
+
+private:
+  lane_certified_traversal(const F& surface, const box& domain, batch::path p)
+      : surface_(surface), domain_(domain), kernels_(&lane_kernels_of<F>(p)) {}
+
+  F surface_;
+  box domain_;
   const lane_kernels<F>* kernels_;
 };
 

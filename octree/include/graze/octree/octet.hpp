@@ -165,25 +165,4 @@ GRAZE_BATCH_INLINE octet<Path> chosen(unsigned lanes, const octet<Path>& q, cons
   return r;
 }
 
-namespace detail {
-struct reordered_masks {
-  std::uint8_t of[8][256];
-};
-consteval reordered_masks make_reordered_masks() {
-  reordered_masks r{};
-  for (unsigned flip = 0; flip < 8; ++flip)
-    for (unsigned mask = 0; mask < 256; ++mask)
-      for (unsigned i = 0; i < 8; ++i)
-        if ((mask >> i & 1) != 0)
-          r.of[flip][mask] = static_cast<std::uint8_t>(r.of[flip][mask] | 1u << (i ^ flip));
-  return r;
-}
-inline constexpr reordered_masks masks_reordered = make_reordered_masks();
-} // namespace detail
-
-/// Bit i of the mask (below 256) becomes bit i XOR flip (below 8).
-GRAZE_BATCH_INLINE unsigned reordered(unsigned mask, unsigned flip) {
-  return detail::masks_reordered.of[flip][mask];
-}
-
 } // namespace graze::octree

@@ -35,15 +35,13 @@ public:
 
   void split(const cube& cell, const state&, branches<state>& out) const {
     std::array<std::array<interval, 2>, 3> half;
-    unsigned izyx = 0;
+    const unsigned izyx = first_child(cell);
     for (int a = 0; a < 3; ++a) {
       const double mid = cell.mid(a);
       const interval lo = bound(a, cell.lo[a]);
       const interval middle = bound(a, mid);
       const interval hi = bound(a, cell.hi(a));
       half[a] = {between(a, lo, middle), between(a, middle, hi)};
-      if (origin_[a] >= mid)
-        izyx |= 1u << a;
     }
     for (unsigned i = 0; i < 8; ++i) {
       const unsigned index = i ^ izyx;
@@ -51,6 +49,17 @@ public:
       if (overlap(child[0], child[1], child[2]))
         out.push(index, child);
     }
+  }
+
+  /// What split finds out about one child.
+  [[nodiscard]] unsigned first_child(const cube& cell) const {
+    unsigned izyx = 0;
+    for (int a = 0; a < 3; ++a)
+      izyx |= (origin_[a] >= cell.mid(a) ? 1u : 0u) << a;
+    return izyx;
+  }
+  [[nodiscard]] bool enter_child(const cube& cell, unsigned index, state& at) const {
+    return enter(cell.child(index), at);
   }
 
 private:

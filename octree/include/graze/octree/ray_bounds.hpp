@@ -8,9 +8,13 @@
 /// bound.
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <graze/octree/cube.hpp>
 #include <graze/octree/ray.hpp>
 #include <graze/rounding/backend.hpp>
+#if defined(__x86_64__)
+#include <graze/rounding/packed.hpp>
+#endif
 #include <limits>
 
 namespace graze::octree {
@@ -28,6 +32,13 @@ template <class Number> struct axis_bounds {
   Number c_up;   ///< Cup: the same, rounded up
   heading direction;
 };
+
+#if defined(__x86_64__)
+/// Operations on pairs are in hardware, rounded up.
+template <class B>
+inline constexpr bool rounds_pairs_up =
+    requires { requires std::same_as<typename B::pair_operations, rounding::packed::hardware_up>; };
+#endif
 
 template <rounding::Backend B> struct ray_bounds {
   using number = typename B::number;
@@ -53,12 +64,12 @@ template <rounding::Backend B> struct ray_bounds {
   /// lowb(p, q) <= C (p - q). The comparison is strict: with <=, Cup = inf would meet u = 0.
   static number lowb(const axis& a, number p, number q) {
     const number u = B::sub_down(p, q);
-    return B::mul_down(u < number(0) ? a.c_up : a.c_down, u);
+    return B::mul_down(choose(u < number(0), a.c_up, a.c_down), u);
   }
   /// uppb(p, q) >= C (p - q); uppb(p, q) = -lowb(q, p) bit for bit.
   static number uppb(const axis& a, number p, number q) {
     const number u = B::sub_up(p, q);
-    return B::mul_up(number(0) < u ? a.c_up : a.c_down, u);
+    return B::mul_up(choose(number(0) < u, a.c_up, a.c_down), u);
   }
 
   /// Lower bound of the scaled t at which the ray passes the plane p (of its entry into p's far
@@ -86,6 +97,25 @@ template <rounding::Backend B> struct ray_bounds {
     }
   }
 
+  /// Both bounds at the plane p: {enter_at, leave_at}.
+  template <convention C> static interval at_plane(const axis& a, number p) {
+#if defined(__x86_64__)
+    // as -lowb(p, q) = uppb(q, p), both are uppb in one register
+    if constexpr (rounds_pairs_up<B>) {
+      using namespace rounding::packed;
+      if (a.direction != heading::across) [[likely]] {
+        const pair from{a.origin, p}, to{p, a.origin};
+        const bool forward = a.direction == heading::forward;
+        const pair u = hardware_up::sub(forward ? from : to, forward ? to : from);
+        const auto positive = (bits)(pair{0, 0} < u);
+        const pair bound = hardware_up::mul(select(positive, both(a.c_up), both(a.c_down)), u);
+        return interval_of(flip_first(bound));
+      }
+    }
+#endif
+    return {enter_at(a, p), leave_at<C>(a, p)};
+  }
+
   /// The plane that the ray enters by is the lower one unless it goes backward.
   template <convention C> static interval within(const axis& a, number lo, number hi) {
     return a.direction == heading::backward ? interval{enter_at(a, hi), leave_at<C>(a, lo)}
@@ -105,6 +135,19 @@ template <rounding::Backend B> struct ray_bounds {
     }
   }
 
+  /// The part of `whole` beyond the plane, or before it. The side is a coin toss: no branch.
+  static interval part(bool beyond, const interval& plane, const interval& whole) {
+#if defined(__x86_64__)
+    if constexpr (rounds_pairs_up<B>) {
+      using namespace rounding::packed;
+      alignas(16) static constexpr long long of_plane[2][2]{{0, -1}, {-1, 0}};
+      const auto mask = (bits)_mm_load_si128(reinterpret_cast<const __m128i*>(of_plane[beyond]));
+      return interval_of(select(mask, pair_of(plane), pair_of(whole)));
+    }
+#endif
+    return {choose(beyond, plane.enter, whole.enter), choose(beyond, whole.leave, plane.leave)};
+  }
+
   /// The t that are within both.
   static interval common(const interval& x, const interval& y) {
     return {x.enter < y.enter ? y.enter : x.enter, y.leave < x.leave ? y.leave : x.leave};
@@ -116,6 +159,15 @@ template <rounding::Backend B> struct ray_bounds {
   }
   /// False only if no t >= 0 is within all three intervals.
   static bool passes(const interval& x, const interval& y, const interval& z) {
+#if defined(__x86_64__)
+    if constexpr (rounds_pairs_up<B>) {
+      using namespace rounding::packed;
+      const auto all = [&](auto least) { return least(least(pair_of(x), pair_of(y)), pair_of(z)); };
+      const pair enter = max(all([](pair p, pair q) { return max(p, q); }), pair{0, 0});
+      const pair leave = all([](pair p, pair q) { return min(p, q); });
+      return !(leave[1] < enter[0]);
+    }
+#endif
     return passes(common(x, y), z);
   }
 
@@ -133,6 +185,17 @@ template <rounding::Backend B> struct ray_bounds {
     return {prepare(o[0], d[0], d[1], d[2]), prepare(o[1], d[1], d[2], d[0]),
             prepare(o[2], d[2], d[0], d[1])};
   }
+
+private:
+#if defined(__x86_64__)
+  // not std::bit_cast, which gcc 12 gets wrong for vectors
+  static rounding::packed::pair pair_of(const interval& t) { return _mm_loadu_pd(&t.enter); }
+  static interval interval_of(rounding::packed::pair t) {
+    interval r;
+    _mm_storeu_pd(&r.enter, t);
+    return r;
+  }
+#endif
 };
 
 } // namespace graze::octree

@@ -31,11 +31,29 @@ public:
     in_order(passed(of), of.origin_side, [&](unsigned index) { out.push(index, of.child(index)); });
   }
 
+  /// The child that comes first, front to back: bit a is set where the origin lies on the upper
+  /// side of mid(a).
+  [[nodiscard]] unsigned first_child(const cube& cell) const {
+    unsigned side = 0;
+    for (unsigned a = 0; a < 3; ++a)
+      side |= (axes_[a].origin >= cell.mid(static_cast<int>(a)) ? 1u : 0u) << a;
+    return side;
+  }
+
+  /// What split finds out about one child: its state, and whether it is passed.
+  [[nodiscard]] bool enter_child(const cube& cell, unsigned index, state& at) const {
+    for (unsigned a = 0; a < 3; ++a)
+      at[a] = bounds::part((index >> a & 1) != entry_side(a),
+                           bounds::template at_plane<C>(axes_[a], cell.mid(static_cast<int>(a))),
+                           at[a]);
+    return bounds::passes(at[0], at[1], at[2]);
+  }
+
 protected:
   /// A cell's intervals on the lower and upper side of its mid-planes.
   struct halves {
     std::array<std::array<typename bounds::interval, 2>, 3> half; ///< [axis][side]
-    unsigned origin_side; ///< bit a: the origin lies on the upper side of mid(a)
+    unsigned origin_side;                                         ///< first_child
 
     [[nodiscard]] state child(unsigned index) const {
       return {half[0][index & 1], half[1][index >> 1 & 1], half[2][index >> 2 & 1]};
@@ -51,14 +69,12 @@ protected:
 
   [[nodiscard]] halves halve(const cube& cell, const state& at) const {
     halves of;
-    of.origin_side = 0;
+    of.origin_side = first_child(cell);
     for (unsigned a = 0; a < 3; ++a) {
-      const double mid = cell.mid(static_cast<int>(a));
+      const auto mid = bounds::template at_plane<C>(axes_[a], cell.mid(static_cast<int>(a)));
       const unsigned entry = entry_side(a);
-      of.half[a][entry] = {at[a].enter, bounds::template leave_at<C>(axes_[a], mid)};
-      of.half[a][1 - entry] = {bounds::enter_at(axes_[a], mid), at[a].leave};
-      if (axes_[a].origin >= mid)
-        of.origin_side |= 1u << a;
+      of.half[a][entry] = {at[a].enter, mid.leave};
+      of.half[a][1 - entry] = {mid.enter, at[a].leave};
     }
     return of;
   }

@@ -6,13 +6,14 @@
 /// at and infinitely near the points where f changes its direction, and reasons by continuity:
 /// where f lies wholly below c at one place and wholly above at another, a solution lies between;
 /// where it lies below at both, and each of its ends is monotone between them, none does.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <graze/bounds.hpp>
 #include <limits>
 #include <vector>
 
-namespace graze::test {
+namespace graze::oracle::reverse {
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
@@ -41,6 +42,12 @@ struct image {
 inline const image undefined_image = {{0, 0}, {0, 0}, false};
 inline image single(const rounded_value& v) { return {v, v}; }
 
+enum class judgement {
+  tightest,
+  loose,   ///< encloses the solutions, but is not the tightest that does
+  unsound, ///< a solution is not enclosed
+};
+
 class reverse_judge {
 public:
   using function = std::function<image(place)>;
@@ -49,15 +56,19 @@ public:
   reverse_judge(function f, std::vector<double> turns, const bounds& c)
       : f_(std::move(f)), turns_(std::move(turns)), c_(c) {}
 
-  [[nodiscard]] bool tightest(const bounds& x, const bounds& result) const {
+  [[nodiscard]] judgement judge(const bounds& x, const bounds& result) const {
     if (x.is_empty() || c_.is_empty())
-      return result.is_empty();
+      return result.is_empty() ? judgement::tightest : judgement::loose;
     if (result.is_empty())
-      return !reaches(x);
-    if (!(result.lo <= result.hi && x.lo <= result.lo && result.hi <= x.hi))
-      return false;
-    return lower_is_tightest(x, result.lo) &&
-           mirrored().lower_is_tightest({-x.hi, -x.lo}, -result.hi);
+      return reaches(x) ? judgement::unsound : judgement::tightest;
+    if (!(result.lo <= result.hi))
+      return judgement::unsound;
+    if (!(x.lo <= result.lo && result.hi <= x.hi))
+      return judgement::loose;
+    return std::max(judge_lower(x, result.lo), mirrored().judge_lower({-x.hi, -x.lo}, -result.hi));
+  }
+  [[nodiscard]] bool tightest(const bounds& x, const bounds& result) const {
+    return judge(x, result) == judgement::tightest;
   }
   [[nodiscard]] bool is_solution(double t) const { return at({t, 0}).how == relation::meets; }
 
@@ -123,10 +134,11 @@ private:
   [[nodiscard]] bool reaches(const bounds& x) const {
     return (x.lo < x.hi && before(x.lo, x.hi)) || (std::isfinite(x.hi) && is_solution(x.hi));
   }
-  [[nodiscard]] bool lower_is_tightest(const bounds& x, double m) const {
+  [[nodiscard]] judgement judge_lower(const bounds& x, double m) const {
     if (x.lo < m && before(x.lo, m))
-      return false; // unsound
-    return m == x.hi ? is_solution(m) : before(m, above(m));
+      return judgement::unsound;
+    const bool close = m == x.hi ? is_solution(m) : before(m, above(m));
+    return close ? judgement::tightest : judgement::loose;
   }
   [[nodiscard]] reverse_judge mirrored() const {
     std::vector<double> turns;
@@ -140,4 +152,4 @@ private:
   bounds c_;
 };
 
-} // namespace graze::test
+} // namespace graze::oracle::reverse

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <graze/oracle/random_bits.hpp>
 #include <limits>
-#include <random>
 
-namespace graze::test {
+namespace graze::oracle {
 
 struct operands {
   double x, y;
@@ -197,7 +197,7 @@ private:
 
   double scaled(double x) { return std::ldexp(x, static_cast<int>(below(120)) - 60); }
 
-  std::mt19937_64 random_;
+  random_bits random_;
 };
 
-} // namespace graze::test
+} // namespace graze::oracle

@@ -1,26 +1,20 @@
 #pragma once
 /// Arguments on which elementary functions go wrong, if they go wrong, and intervals of them.
-#include "hard_operands.hpp"
-#include <cstdlib>
 #include <graze/bounds.hpp>
-#include <string>
+#include <graze/oracle/hard_operands.hpp>
+#include <mpfr.h>
 
-namespace graze::test {
-
-/// How many inputs an operation gets: GRAZE_TEST_INPUTS, 100,000 if unset.
-inline int inputs_per_operation() {
-  const char* given = std::getenv("GRAZE_TEST_INPUTS");
-  return given ? std::max(std::atoi(given), 1) : 100000;
-}
+namespace graze::oracle {
 
 /// Where a function is neither trivial nor constant: for the random half of the inputs.
 struct active_range {
   double lo, hi;
 };
 
-class elementary_arguments {
+/// A fixed sequence for a seed. To be used in round to nearest.
+class hard_arguments {
 public:
-  explicit elementary_arguments(std::uint64_t seed) : operands_(seed) {}
+  explicit hard_arguments(std::uint64_t seed) : operands_(seed) {}
 
   std::uint64_t below(std::uint64_t n) { return operands_.below(n); }
   bool coin() { return operands_.coin(); }
@@ -116,15 +110,11 @@ private:
   hard_operands operands_;
 };
 
-/// "0x1.8p+0".
-std::string hexadecimal(double x);
+using mpfr_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
-/// "exp(0x1.8p+0)", for a message.
-template <class... Doubles> std::string call(const char* name, Doubles... x) {
-  std::string text = std::string(name) + "(";
-  const char* comma = "";
-  ((text += comma, text += hexadecimal(x), comma = ", "), ...);
-  return text + ")";
-}
+/// Beside x, on a step of doubles where f is nearly linear, the argument whose value is nearest to
+/// a double but not equal: 2^-14 of an ulp off, or less. There the first, fast evaluation of a
+/// correctly rounded function cannot decide.
+double nearly_a_double(mpfr_function f, double x);
 
-} // namespace graze::test
+} // namespace graze::oracle

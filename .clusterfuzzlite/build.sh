@@ -1,0 +1,2 @@
+#!/bin/bash -eu
+exec "$SRC/graze/fuzz/oss-fuzz/build.sh" "$@"

@@ -1,0 +1,5 @@
+#include "eight_by.hpp"
+
+void graze::fuzz::self::eight_by_avx512(const eight_operands& o, eight_results& r) {
+  eight_by<batch::avx512>(o, r);
+}
