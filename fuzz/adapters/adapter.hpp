@@ -88,9 +88,7 @@ public:
   /// The traversal does not take this ray.
   void skip() { skipped_ = true; }
 
-  [[nodiscard]] std::string line() const {
-    return skipped_ ? "skip\n" : text_ + received_ + "\n";
-  }
+  [[nodiscard]] std::string line() const { return skipped_ ? "skip\n" : text_ + received_ + "\n"; }
 
 private:
   std::string text_, received_;

@@ -3,8 +3,8 @@
 ///   graze-adapter-openvdb dda|level-set-hdda|volume-ray-intersector
 ///
 /// dda: DDA from where the ray enters the root to where it leaves it. level-set-hdda: LevelSetHDDA
-/// down to the voxel (bench/peers/openvdb.cpp). volume-ray-intersector: it tells leaves of 8^3 cells
-/// apart and no cells, so that an occupied voxel is a leaf; asked leaf by leaf.
+/// down to the voxel (bench/peers/openvdb.cpp). volume-ray-intersector: it tells leaves of 8^3
+/// cells apart and no cells, so that an occupied voxel is a leaf; asked leaf by leaf.
 #include "peer.hpp"
 #include <openvdb/math/DDA.h>
 #include <openvdb/openvdb.h>
@@ -54,6 +54,9 @@ void dda(const adapter::request& r, adapter::answer& a) {
   } while (walk.step());
 }
 
+/// A tree of smaller nodes than OpenVDB's own: one is made for each voxel of each ray.
+using leaves = openvdb::Grid<openvdb::tree::Tree4<bool, 2, 2, 3>::Type>;
+
 void volume_ray_intersector(const adapter::request& r, adapter::answer& a) {
   constexpr int side = 8; // of a leaf
   std::array<int, 3> first{};
@@ -63,12 +66,12 @@ void volume_ray_intersector(const adapter::request& r, adapter::answer& a) {
   if (!ray_of(r, side, ray, a))
     return;
   for (const adapter::index3& voxel : r.voxels()) {
-    openvdb::MaskGrid grid;
+    leaves grid;
     const openvdb::Coord at(static_cast<int>(voxel[0]) + first[0],
                             static_cast<int>(voxel[1]) + first[1],
                             static_cast<int>(voxel[2]) + first[2]);
     grid.tree().touchLeaf({at[0] * side, at[1] * side, at[2] * side})->setValuesOn();
-    openvdb::tools::VolumeRayIntersector<openvdb::MaskGrid> intersector(grid);
+    openvdb::tools::VolumeRayIntersector<leaves> intersector(grid);
     double from = 0, to = 0;
     if (intersector.setIndexRay(ray) && intersector.march(from, to))
       a.visit(voxel);
@@ -85,7 +88,6 @@ int main(int argc, char** argv) {
     return adapter::serve("crossed", adapter::ask_peer<graze::bench::openvdb>);
   if (variant == "volume-ray-intersector")
     return adapter::serve("crossed", volume_ray_intersector);
-  std::fprintf(stderr,
-               "usage: graze-adapter-openvdb dda|level-set-hdda|volume-ray-intersector\n");
+  std::fprintf(stderr, "usage: graze-adapter-openvdb dda|level-set-hdda|volume-ray-intersector\n");
   return 2;
 }

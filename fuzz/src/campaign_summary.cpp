@@ -163,7 +163,8 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
                                : fmt::format("{} findings after shrinking, on {} rays",
                                              m.state.findings.size(), total.findings));
   page += "<table>\n<tr><th>generator</th><th>rays</th><th>touched</th><th>misses</th>"
-          "<th>crossed</th><th>gross</th><th>gaps</th><th>spurious</th><th>% of visits</th><th>far</th>"
+          "<th>crossed</th><th>gross</th><th>gaps</th><th>spurious</th><th>% of visits</th>"
+          "<th>far</th>"
           "<th>order</th><th>revisit</th><th>rays with a finding</th></tr>\n";
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     page += row(plan.generators[g]->name, m.state.by_generator[g]);

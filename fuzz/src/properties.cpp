@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <graze/fuzz/properties.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <graze/oracle/rational.hpp>
+#include <limits>
 #include <vector>
 
 namespace graze::fuzz {
@@ -23,8 +25,8 @@ std::string_view name_of(promise p) {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crash", "hang",    "nan",          "malformed", "gross-miss", "crossed-miss", "gap", "miss",
-      "order", "revisit", "far-spurious", "spurious",  "outside"};
+      "crash", "hang",  "nan",     "malformed",    "gross-miss", "crossed-miss", "gap",
+      "miss",  "order", "revisit", "far-spurious", "spurious",   "outside"};
   return names[static_cast<unsigned>(f)];
 }
 
@@ -42,6 +44,36 @@ constexpr auto layer = [] {
         result[2][z] |= v;
       }
   return result;
+}();
+
+/// What a place on one axis of a block (oracle::place) says about the octants there.
+struct layers {
+  voxel_set closed; ///< those whose closed boxes reach the place
+  voxel_set owner;  ///< those whose half-open boxes do
+  bool surrounded;  ///< on either side there are octants of the block, or the outside of the root
+};
+
+/// places[axis][extent - 1][faces][place]; faces: bit 0 the block starts at the root's near face,
+/// bit 1 it ends at the far face.
+constexpr auto places = [] {
+  std::array<std::array<std::array<std::array<layers, 2 * max_extent + 1>, 4>, max_extent>, 3>
+      all{};
+  for (unsigned a = 0; a < 3; ++a)
+    for (unsigned n = 1; n <= max_extent; ++n)
+      for (unsigned faces = 0; faces < 4; ++faces)
+        for (unsigned place = 0; place <= 2 * n; ++place) {
+          const unsigned k = place / 2;
+          layers& at = all[a][n - 1][faces][place];
+          at.surrounded = true;
+          if (place % 2 != 0) {
+            at.closed = at.owner = layer[a][k];
+            continue;
+          }
+          at.closed = (k < n ? layer[a][k] : 0) | (k > 0 ? layer[a][k - 1] : 0);
+          at.owner = k < n ? layer[a][k] : ((faces & 2) != 0 ? layer[a][k - 1] : 0);
+          at.surrounded = !(k == 0 && (faces & 1) == 0) && !(k == n && (faces & 2) == 0);
+        }
+  return all;
 }();
 
 finding finding_of(fault f) {
@@ -72,41 +104,54 @@ truth truth_of(const trial& t) {
   truth is;
   thread_local std::vector<oracle::step> steps;
   oracle::steps_in_grid(t.origin, t.direction, grid, steps);
+  std::array<const layers*, 3> on;
+  for (unsigned a = 0; a < 3; ++a)
+    on[a] = places[a][t.extent[a] - 1u][(near_face >> a & 1) | (far_face >> a & 1) << 1].data();
   for (const oracle::step& s : steps) {
-    voxel_set closed = ~voxel_set{0};
-    voxel_set owner = ~voxel_set{0};
-    bool interior = true;
-    bool surrounded = true; // by octants of the block and the outside of the root
-    for (unsigned a = 0; a < 3; ++a) {
-      const unsigned n = t.extent[a];
-      const auto place = static_cast<unsigned>(s.at[a]);
-      const unsigned k = place / 2;
-      if (place % 2 != 0) {
-        closed &= layer[a][k];
-        owner &= layer[a][k];
-        continue;
-      }
-      interior = false;
-      closed &= (k < n ? layer[a][k] : 0) | (k > 0 ? layer[a][k - 1] : 0);
-      if (k < n)
-        owner &= layer[a][k];
-      else
-        owner &= (far_face >> a & 1) != 0 ? layer[a][k - 1] : 0;
-      if ((k == 0 && (near_face >> a & 1) == 0) || (k == n && (far_face >> a & 1) == 0))
-        surrounded = false;
-    }
+    const layers &x = on[0][s.at[0]], &y = on[1][s.at[1]], &z = on[2][s.at[2]];
+    const voxel_set closed = x.closed & y.closed & z.closed;
+    const voxel_set owner = x.owner & y.owner & z.owner;
+    const bool interior = (s.at[0] & s.at[1] & s.at[2] & 1) != 0;
     is.touched |= closed;
-    if (interior)
-      is.crossed |= closed;
+    is.crossed |= interior ? closed : 0;
     if (owner != 0 && (is.owned & owner) == 0) {
       is.owned |= owner;
       is.owner_order[is.owners++] = static_cast<voxel>(std::countr_zero(owner));
     }
+    const bool surrounded = x.surrounded & y.surrounded & z.surrounded;
     if (s.segment && surrounded && is.length_count < is.lengths.size())
       is.lengths[is.length_count++] = closed;
   }
   return is;
 }
+
+namespace {
+
+/// A point of the ray is proven to be in the box from `near` to `beyond`, which is `box` with its
+/// faces moved as far_spurious says, for numbers in its range. The point's coordinate as computed,
+/// x, is off by less than 2^-49 (|o| + |x|), in every rounding mode: half of what the faces were
+/// moved by is four times as much.
+bool comes_near(const trial& t, const cube& box, const vec3& near, const vec3& beyond) {
+  double enter = 0, leave = std::numeric_limits<double>::infinity();
+  for (unsigned a = 0; a < 3; ++a) {
+    const double o = t.origin[a], d = t.direction[a];
+    if (d == 0)
+      continue;
+    const double lo = (box.lo[a] - o) / d, hi = (box.hi(static_cast<int>(a)) - o) / d;
+    enter = std::max(enter, std::min(lo, hi));
+    leave = std::min(leave, std::max(lo, hi));
+  }
+  const double when = std::max(0.0, (enter + leave) / 2);
+  bool inside = true;
+  for (unsigned a = 0; a < 3; ++a) {
+    const double x = t.origin[a] + when * t.direction[a];
+    inside &= (near[a] + box.lo[a]) / 2 <= x;
+    inside &= x <= (beyond[a] + box.hi(static_cast<int>(a))) / 2;
+  }
+  return inside;
+}
+
+} // namespace
 
 voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
   voxel_set left = spurious(is, said);
@@ -134,7 +179,7 @@ voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
       near[a] = lo - reach;
       beyond[a] = hi + reach;
     }
-    if (!oracle::touches(t.origin, t.direction, near, beyond))
+    if (!comes_near(t, box, near, beyond) && !oracle::touches(t.origin, t.direction, near, beyond))
       far |= voxel_set{1} << v;
   }
   return far;

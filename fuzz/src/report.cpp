@@ -13,10 +13,10 @@ namespace {
 using json = nlohmann::ordered_json;
 
 std::string row(std::string_view name, const counts& c) {
-  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10.4f}{:>8}{:>8}{:>9}\n",
-                     name, c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
-                     c.spurious,
-                     100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits);
+  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10.4f}{:>8}{:>8}{:>9}\n", name,
+                     c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
+                     c.spurious, 100 * c.spurious_rate(), c.far_spurious, c.order_errors,
+                     c.revisits);
 }
 
 void put(json& object, const counts& c) {
@@ -70,9 +70,10 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
 }
 
 std::string table(const campaign_plan& plan, const campaign_result& result) {
-  std::string text = fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
-                                 "generator", "rays", "touched", "misses", "crossed", "gross", "gaps",
-                                 "spurious", "% visits", "far", "order", "revisit");
+  std::string text =
+      fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
+                  "generator", "rays", "touched", "misses", "crossed", "gross", "gaps", "spurious",
+                  "% visits", "far", "order", "revisit");
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     text += row(plan.generators[g]->name, result.by_generator[g]);
   text += row("all", result.total);

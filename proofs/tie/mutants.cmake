@@ -78,7 +78,7 @@ graze_mutant(across_enter "< for <= on a lower face" FILE ${file}
 graze_mutant(across_closed "< for <= on a closed upper face" FILE ${file}
              FROM "a.origin <= p" TO "a.origin < p")
 graze_mutant(across_owned "<= for < on an upper face that is not owned" FILE ${file}
-             FROM "a.origin < p)" TO "a.origin <= p)")
+             FROM "a.origin < p," TO "a.origin <= p,")
 graze_mutant(touch_strict "<= for < between leave and enter" FILE ${file}
              FROM "both.leave < both.enter" TO "both.leave <= both.enter")
 graze_mutant(behind_strict "<= for < between leave and 0" FILE ${file}
@@ -95,10 +95,10 @@ graze_mutant(uppb_u_down "u rounded down in uppb" FILE ${file}
              FROM "B::sub_up(p, q)" TO "B::sub_down(p, q)")
 graze_mutant(pair_swapped "Cdn and Cup swapped in both bounds at a plane" FILE ${file}
              FROM "both(a.c_up), both(a.c_down)" TO "both(a.c_down), both(a.c_up)")
-graze_mutant(pair_not_strict "<= for < in both bounds at a plane" FILE ${file}
-             FROM "pair{0, 0} < u" TO "pair{0, 0} <= u")
 graze_mutant(pair_turned "the directions of a ray swapped in both bounds at a plane" FILE ${file}
              FROM "direction == heading::forward;" TO "direction != heading::forward;")
+graze_mutant(pair_across "< for <= on a lower face in both bounds at a plane" FILE ${file}
+             FROM "both(p) <= both(a.origin)" TO "both(p) < both(a.origin)")
 graze_mutant(one_rotation "the wrong two axes in C of y" FILE ${file}
              FROM "prepare(o[1], d[1], d[2], d[0])" TO "prepare(o[1], d[1], d[2], d[1])")
 

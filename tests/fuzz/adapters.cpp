@@ -23,18 +23,12 @@ void caught_early(std::string_view name) {
 TEST_CASE("fuzz.adapters: Amanatides-Woo is caught early", "[property]") {
   caught_early("amanatides-woo");
 }
-TEST_CASE("fuzz.adapters: Revelles is caught early", "[property]") {
-  caught_early("revelles");
-}
-TEST_CASE("fuzz.adapters: Williams is caught early", "[property]") {
-  caught_early("williams");
-}
+TEST_CASE("fuzz.adapters: Revelles is caught early", "[property]") { caught_early("revelles"); }
+TEST_CASE("fuzz.adapters: Williams is caught early", "[property]") { caught_early("williams"); }
 TEST_CASE("fuzz.adapters: Tavian Barnes' branchless test is caught early", "[property]") {
   caught_early("tavian");
 }
-TEST_CASE("fuzz.adapters: Ize's padded test is caught early", "[property]") {
-  caught_early("ize");
-}
+TEST_CASE("fuzz.adapters: Ize's padded test is caught early", "[property]") { caught_early("ize"); }
 TEST_CASE("fuzz.adapters: pbrt's padded test is caught early", "[property]") {
   caught_early("pbrt");
 }

@@ -257,7 +257,7 @@ TEST_CASE("graze-fuzz run --command: found, shrunk, saved and replayed", "[unit]
                                                " " + command("drops"));
   CHECK(o.code == 1);
   const auto object = nlohmann::json::parse(o.out);
-  CHECK(object["finding"] == "crossed-miss");
+  CHECK(object["finding"] == "gross-miss");
   CHECK(object["rays"] == 4000);
   CHECK(object["faults"] == 0);
   // once, when the command is tried

@@ -109,7 +109,8 @@ TEST_CASE("graze-fuzz campaign: a line that was cut off is as if never written",
   const std::string lines = content(progress);
   const std::size_t last = lines.rfind('\n', lines.size() - 2) + 1;
   for (const std::size_t cut : {last + 1, (last + lines.size()) / 2, lines.size() - 1}) {
-    std::filesystem::resize_file(progress, cut);
+    // not a cut of what the last start wrote, whose times have other digits
+    std::ofstream(progress) << lines.substr(0, cut);
     campaign_state state;
     REQUIRE(read_campaign(folder, state));
     CHECK(state.finished.size() == 80);

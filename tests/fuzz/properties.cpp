@@ -99,6 +99,25 @@ TEST_CASE("fuzz.properties: spurious near the ray is rounding, far from it is no
   CHECK(far_spurious(far, truth_of(far), seen({o001})) == set_of({o001}));
 }
 
+TEST_CASE("fuzz.properties: a miss is gross where the chord is over 1e-3 of the edge", "[unit]") {
+  // in the octant of [1/2,1]^3 from (1 - c, 1/2) on: a chord of sqrt(2) c, in an edge of 1/2
+  const auto found = [](double c, const vec3& scale) {
+    const trial t = eight({1 - c, 0.5, 0.75}, {scale[0], scale[1], 0});
+    const truth is = truth_of(t);
+    CHECK(is.crossed == set_of({o111}));
+    return judge(t, is, seen({}), promise::crossed).findings;
+  };
+  constexpr double limit = 1e-3 * 0.5 / 1.4142135623730951;
+  for (const double scale : {1.0, 0x1p-1000, 0x1p+1000}) {
+    CHECK((found(limit * (1 - 1e-12), {scale, scale, 0}) & bit(finding::gross_miss)) == 0u);
+    CHECK((found(limit * (1 + 1e-12), {scale, scale, 0}) & bit(finding::gross_miss)) != 0u);
+  }
+  CHECK((found(limit, {1, 1, 0}) & bit(finding::crossed_miss)) != 0u);
+  const trial t = eight({0, 0, 0}, {1, 1, 1}); // what is only touched is never gross
+  CHECK(gross(t, set_of({o100})) == 0);
+  CHECK(gross(t, set_of({o000, o111})) == set_of({o000, o111}));
+}
+
 TEST_CASE("fuzz.properties: a repeated octant and one from outside are noticed", "[unit]") {
   const trial t = eight({0, 0, 0}, {1, 1, 1});
   visited said = seen({o000, o111, o000});

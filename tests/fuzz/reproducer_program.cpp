@@ -33,7 +33,8 @@ TEST_CASE("graze-fuzz run: --reproducer writes what replay takes", "[unit]") {
       support::call(GRAZE_FUZZ, "replay " + line + " --traversal gargantini --json --reproducer " +
                                     (dir / "again"));
   CHECK(again.code == 1);
-  CHECK(nlohmann::json::parse(again.out)["findings"][0] == "crossed-miss");
+  const std::string worst = nlohmann::json::parse(again.out)["findings"][0];
+  CHECK((worst == "crossed-miss" || worst == "gross-miss"));
   // what is as small as it gets stays what it is
   CHECK(content(only(dir / "again", ".json")) == content(line));
 }

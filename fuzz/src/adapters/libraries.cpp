@@ -58,6 +58,7 @@ std::vector<traversal_entry> library_traversals(const external_options& like) {
     options.command = shell_word(program) + " " + std::string(s.variant);
     options.promised = s.promised;
     options.format = line_format::plain;
+    options.start_seconds = 1; // they start in some 50 ms
     found.push_back(untried_external_traversal(options, s.name, s.summary));
   }
   return found;

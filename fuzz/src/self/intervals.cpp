@@ -99,8 +99,8 @@ interval_operation cancellation(const char* name, bounds (*right)(const bounds&,
 
 void report(reverse::judgement j, const bounds& got, observations& out) {
   if (j != reverse::judgement::tightest)
-    out.push_back({j == reverse::judgement::unsound ? flaw::unsound : flaw::not_tightest,
-                   "= " + text_of(got)});
+    out.push_back(
+        {j == reverse::judgement::unsound ? flaw::unsound : flaw::loose, "= " + text_of(got)});
 }
 
 /// A reverse operation whose operands are a reverse_case's: u first, if it has one.

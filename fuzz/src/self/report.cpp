@@ -7,8 +7,8 @@ namespace graze::fuzz::self {
 
 std::string_view name_of(flaw f) {
   static constexpr std::array<std::string_view, flaw_kinds> names{
-      "crash",    "hang",    "unsound",    "wrong-empty", "dropped",      "control-word",
-      "accepted", "meaning", "difference", "decoration",  "not-tightest", "no-reason"};
+      "crash",    "hang",    "unsound",    "wrong-empty", "dropped", "control-word",
+      "accepted", "meaning", "difference", "decoration",  "loose",   "no-reason"};
   return names[static_cast<unsigned>(f)];
 }
 

@@ -131,15 +131,15 @@ struct line {
   vec3 origin, direction;
 };
 
-/// Through random points, octants' planes, edges and vertices, an ulp beside them; in any
-/// direction, along axes, in faces and diagonals.
-line any_line(const place& at, random_bits& random) {
+/// Through `through`, but on some axes moved to octants' planes, or an ulp beside them, or to the
+/// domain's faces; in any direction, along axes, in faces and diagonals.
+line any_line(const place& at, const vec3& through, random_bits& random) {
   const double size = std::ldexp(at.root.box().size, -at.root.level());
   line l{};
   const int snapped = below(random, 8);
   for (int a = 0; a < 3; ++a) {
     const double lo = at.domain.lo[a], hi = at.domain.hi[a];
-    double x = between(random, lo, hi);
+    double x = through[a];
     if ((snapped >> a & 1) != 0) {
       const double root_lo = at.root.box().lo[a];
       const double k = std::nearbyint((x - root_lo) / size);
@@ -289,9 +289,14 @@ public:
     if (k % trials_a_tree == 0)
       compare_octrees(out);
     random_bits random(oracle::mix(seed) ^ oracle::mix(~index));
-    for (int tries = 0; tries < 4; ++tries)
-      if (look_along(any_line(*at_, random), random, out))
+    for (int tries = 0; tries < 8; ++tries) {
+      vec3 through = near_surface(f_, reach_, random);
+      if (below(random, 2) == 0 || !contains(at_->domain, box{through, through}))
+        for (int a = 0; a < 3; ++a)
+          through[a] = between(random, at_->domain.lo[a], at_->domain.hi[a]);
+      if (look_along(any_line(*at_, through, random), random, out))
         return;
+    }
   }
 
 private:
@@ -333,16 +338,23 @@ private:
     const auto range = range_in(l, at_->domain);
     if (!range)
       return false;
-    const std::vector<polynomial> all = along(f_, l);
-    const std::size_t mine = random() % all.size();
-    if (all[mine].degree() < 1)
-      return false; // constant; where it is 0, the whole line is a part of the surface
     // from the domain's face, or from somewhere on: not only what is seen first
     mpq_class from = range->first;
     if (below(random, 2) == 0)
       from += (range->second - range->first) * mpq_class(below(random, 64), 64);
-    auto root = oracle::first_root(all[mine], from, range->second, 120);
-    if (!root || !on_union(all, mine, *root))
+    const std::vector<polynomial> all = along(f_, l);
+    const std::size_t start = random() % all.size();
+    std::optional<oracle::root> root;
+    std::size_t mine = start;
+    for (std::size_t i = 0; i < all.size() && !root; ++i) {
+      mine = (start + i) % all.size();
+      if (all[mine].degree() < 1)
+        continue; // constant; where it is 0, the whole line is a part of the surface
+      root = oracle::first_root(all[mine], from, range->second, 120);
+      if (root && !on_union(all, mine, *root))
+        root.reset();
+    }
+    if (!root)
       return false;
     const oracle::root_counter counter(all[mine]);
     const exact_zero zero{all[mine], counter, *std::move(root)};

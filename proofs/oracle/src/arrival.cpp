@@ -86,6 +86,20 @@ wide_product product(const wide_difference& x, const dyadic& y) {
 
 template <class T> int sign_of_difference(T x, T y) { return x < y ? -1 : (y < x ? 1 : 0); }
 
+/// The sign of x 2^i - y 2^j; x and y positive.
+int compare(uint128 x, int i, uint128 y, int j) {
+  const auto to_the_top = [](uint128& significand, int& exponent) {
+    const auto high = static_cast<std::uint64_t>(significand >> 64);
+    const int zeros = high != 0 ? std::countl_zero(high)
+                                : 64 + std::countl_zero(static_cast<std::uint64_t>(significand));
+    significand <<= zeros;
+    exponent -= zeros;
+  };
+  to_the_top(x, i);
+  to_the_top(y, j);
+  return i != j ? sign_of_difference(i, j) : sign_of_difference(x, y);
+}
+
 int compare(const wide_product& x, const wide_product& y) {
   if (x.exponent != y.exponent)
     return sign_of_difference(x.exponent, y.exponent);
@@ -153,6 +167,9 @@ int compare_exactly(const arrival& a, const arrival& b) {
   const wide_difference distance_b = difference(p_b, o_b);
   if (distance_a.fits && distance_b.fits) {
     ++decisions.wide;
+    if (((distance_a.significand | distance_b.significand) >> 64) == 0)
+      return compare(distance_a.significand * s_b.significand, distance_a.exponent + s_b.exponent,
+                     distance_b.significand * s_a.significand, distance_b.exponent + s_a.exponent);
     return compare(product(distance_a, s_b), product(distance_b, s_a));
   }
   ++decisions.gmp;

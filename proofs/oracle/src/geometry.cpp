@@ -3,6 +3,7 @@
 #include <cmath>
 #include <graze/oracle/arrival.hpp>
 #include <graze/oracle/geometry.hpp>
+#include <limits>
 
 namespace graze::oracle {
 namespace {
@@ -17,101 +18,117 @@ namespace {
   return moves;
 }
 
-/// The ray on one axis of the grid: where it is, and when it reaches the next plane.
-class axis_walk {
-public:
-  axis_walk() = default;
-  axis_walk(double origin, double direction, std::span<const double> planes)
-      : planes_(planes), last_(static_cast<int>(2 * planes.size() - 2)), origin_(origin),
-        speed_(std::fabs(direction)), heading_(direction < 0 ? -1 : (direction > 0 ? 1 : 0)) {
-    assert(planes.size() >= 2 && planes.size() <= 60);
-    int below = 0;
-    for (const double p : planes)
+constexpr unsigned most_planes = 60;
+
+/// The ray on one axis of the grid: where it is, and when it reaches the planes before it.
+struct axis_walk {
+  void start(double origin_, double direction, std::span<const double> planes_) {
+    assert(planes_.size() >= 2 && planes_.size() <= most_planes);
+    planes = planes_;
+    origin = origin_;
+    speed = std::fabs(direction);
+    heading = direction < 0 ? -1 : (direction > 0 ? 1 : 0);
+    last = static_cast<int>(2 * planes.size() - 2);
+    int below = 0, on = 0;
+    for (const double p : planes) {
       below += p < origin ? 1 : 0;
-    const auto k = static_cast<unsigned>(below);
-    at_ = k < planes.size() && planes[k] == origin ? 2 * below : 2 * below - 1;
-    prepare_next();
+      on |= p == origin ? 1 : 0;
+    }
+    at = 2 * below - 1 + on;
+    const int count = static_cast<int>(planes.size());
+    first = heading > 0 ? below + on : below - 1;
+    ahead = heading > 0 ? count - first : (heading < 0 ? first + 1 : 0);
+    for (int i = 0; i < ahead; ++i)
+      times[i] = plane_ahead(i).time();
+    times[ahead] = std::numeric_limits<double>::infinity();
   }
 
-  [[nodiscard]] int at() const { return at_; }
-  [[nodiscard]] bool in_hull() const { return at_ >= 0 && at_ <= last_; }
+  [[nodiscard]] arrival plane_ahead(int i) const {
+    return {planes[static_cast<unsigned>(first + i * heading)], origin, speed};
+  }
+  [[nodiscard]] arrival next() const { return plane_ahead(passed); }
+  [[nodiscard]] bool in_hull() const {
+    return static_cast<unsigned>(at) <= static_cast<unsigned>(last);
+  }
   /// Not in the hull, and never to come into it.
-  [[nodiscard]] bool lost() const { return !in_hull() && !has_next_; }
-  [[nodiscard]] bool has_next() const { return has_next_; }
-  [[nodiscard]] const arrival& next() const { return next_; }
+  [[nodiscard]] bool lost() const { return !in_hull() && passed == ahead; }
 
-  void arrive() {
-    assert(has_next_ && at_ % 2 != 0);
-    at_ += heading_; // from the space before the plane: the ray has departed from where it was
-    prepare_next();
-  }
   /// From a plane into the space behind it; no effect where the ray is on no plane or does not
   /// move.
-  void depart() {
-    if (at_ % 2 == 0)
-      at_ += heading_;
+  void depart() { at += at % 2 == 0 ? heading : 0; }
+  /// From the space before the next plane onto it, if so.
+  void arrive(bool so) {
+    assert(!so || (passed < ahead && at % 2 != 0));
+    at += so ? heading : 0;
+    passed += so ? 1 : 0;
   }
 
-private:
-  void prepare_next() {
-    // at = 2k or 2k - 1 when heading forward below or on plane k: the next plane is (at + 2) / 2
-    // resp. (at + 1) / 2, and the mirror image backward. at >= -1, so that nothing is negative
-    // here.
-    const int next = heading_ > 0 ? (at_ + 2) / 2 : (at_ + 1) / 2 - 1;
-    has_next_ = heading_ != 0 && next >= 0 && next < static_cast<int>(planes_.size());
-    if (has_next_)
-      next_ = arrival(planes_[static_cast<unsigned>(next)], origin_, speed_);
-  }
-
-  std::span<const double> planes_;
-  int last_, at_;
-  double origin_, speed_;
-  int heading_;
-  bool has_next_;
-  arrival next_;
+  std::span<const double> planes;
+  double origin, speed;
+  int heading, at, last;
+  int first;      ///< the plane that is reached first
+  int ahead;      ///< planes that the ray reaches at t > 0
+  int passed = 0; ///< of these
+  /// arrival::time at each of them, and then infinity.
+  std::array<double, most_planes + 1> times;
 };
+
+/// The axes that reach their next planes together, before all others; some axis has one.
+unsigned earliest(const std::array<axis_walk, 3>& axes) {
+  const std::array<double, 3> time{axes[0].times[axes[0].passed], axes[1].times[axes[1].passed],
+                                   axes[2].times[axes[2].passed]};
+  // NaN is after no time that is certain
+  unsigned first = 0;
+  for (unsigned a = 0; a < 3; ++a) {
+    const double x = time[a], y = time[(a + 1) % 3], z = time[(a + 2) % 3];
+    first |= unsigned{certainly_before(x, y)} * unsigned{certainly_before(x, z)} << a;
+  }
+  if (first != 0)
+    return first;
+  unsigned least = 3;
+  for (unsigned a = 0; a < 3; ++a) {
+    if (axes[a].passed == axes[a].ahead || (least < 3 && certainly_before(time[least], time[a])))
+      continue;
+    const int order = least == 3 || certainly_before(time[a], time[least])
+                          ? -1
+                          : compare_exactly(axes[a].next(), axes[least].next());
+    if (order < 0) {
+      least = a;
+      first = 1u << a;
+    } else if (order == 0) {
+      first |= 1u << a;
+    }
+  }
+  return first;
+}
 
 [[gnu::noinline]] void walk(const point& origin, const point& direction,
                             const std::array<std::span<const double>, 3>& planes,
                             std::vector<step>& steps) {
   std::array<axis_walk, 3> axes;
   for (unsigned a = 0; a < 3; ++a) {
-    axes[a] = axis_walk(origin[a], direction[a], planes[a]);
+    axes[a].start(origin[a], direction[a], planes[a]);
     if (axes[a].lost())
       return;
   }
   const auto report = [&](bool segment) {
     if (axes[0].in_hull() && axes[1].in_hull() && axes[2].in_hull())
-      steps.push_back({{static_cast<place>(axes[0].at()), static_cast<place>(axes[1].at()),
-                        static_cast<place>(axes[2].at())},
+      steps.push_back({{static_cast<place>(axes[0].at), static_cast<place>(axes[1].at),
+                        static_cast<place>(axes[2].at)},
                        segment});
   };
   report(false);
   while (true) {
-    for (axis_walk& axis : axes) {
+    for (axis_walk& axis : axes)
       axis.depart();
-      if (axis.lost())
-        return;
-    }
+    if (axes[0].lost() || axes[1].lost() || axes[2].lost())
+      return;
     report(true);
     // Some axis moves; it has a plane before it, for it would be lost otherwise.
-    unsigned first = 0; // bits: the axes that arrive together, before all others
-    const arrival* earliest = nullptr;
-    for (unsigned a = 0; a < 3; ++a) {
-      if (!axes[a].has_next())
-        continue;
-      const int order = earliest == nullptr ? -1 : compare(axes[a].next(), *earliest);
-      if (order < 0) {
-        earliest = &axes[a].next();
-        first = 1u << a;
-      } else if (order == 0) {
-        first |= 1u << a;
-      }
-    }
+    const unsigned first = earliest(axes);
     assert(first != 0);
     for (unsigned a = 0; a < 3; ++a)
-      if ((first >> a & 1) != 0)
-        axes[a].arrive();
+      axes[a].arrive((first >> a & 1) != 0);
     report(false);
   }
 }
@@ -161,11 +178,11 @@ struct faces {
     if (o == far) // t = 0 alone
       leave[leaves++] = {false, {}, far_closed};
     else
-      leave[leaves++] = {true, arrival(far, o, std::fabs(d)), far_closed};
+      leave[leaves++] = {true, arrival{far, o, std::fabs(d)}, far_closed};
     if (o == near)
       enter[enters++] = {false, {}, near_closed};
     else if (forward ? o < near : near < o)
-      enter[enters++] = {true, arrival(near, o, std::fabs(d)), near_closed};
+      enter[enters++] = {true, arrival{near, o, std::fabs(d)}, near_closed};
   }
   for (unsigned i = 0; i < enters; ++i)
     for (unsigned j = 0; j < leaves; ++j)

@@ -6,7 +6,7 @@ namespace graze::fuzz {
 
 /// A traversal for each variant of each adapter that was built: of the programs graze-adapter-NAME
 /// beside this program, or in the folder that the environment's GRAZE_ADAPTERS names. Of `like`,
-/// the time-out and what becomes of standard error are taken.
+/// the seconds a ray and what becomes of standard error are taken.
 std::vector<traversal_entry> library_traversals(const external_options& like = {});
 
 /// The traversal of this name: one of this program's, or a library's; the reason when there is

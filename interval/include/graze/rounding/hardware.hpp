@@ -79,7 +79,7 @@ enum class mode : unsigned { nearest = 0x1f80, down = 0x3f80, up = 0x5f80 };
 class mode_scope {
 public:
   explicit mode_scope(mode m) : found_(mxcsr()) { set_mxcsr(static_cast<unsigned>(m)); }
-  ~mode_scope() { set_mxcsr(found_); }
+  [[gnu::always_inline]] ~mode_scope() { set_mxcsr(found_); }
   mode_scope(const mode_scope&) = delete;
   mode_scope& operator=(const mode_scope&) = delete;
 

@@ -17,6 +17,8 @@ struct upward {
   class scope : hardware::mode_scope {
   public:
     scope() : mode_scope(hardware::mode::up) {}
+    // emitted nowhere, as files compiled for a path's instructions need it (batch/path.hpp)
+    [[gnu::always_inline]] ~scope() {} // NOLINT(modernize-use-equals-default)
   };
 
 #if defined(__x86_64__)

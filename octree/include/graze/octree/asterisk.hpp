@@ -44,6 +44,10 @@ template <> struct angular<double> {
   static double magnitude(double x) { return std::fabs(x); }
   static double root(double x) { return std::sqrt(x); }
   static double reciprocal(double x) { return 1 / x; }
+  static double cosine(double z, double rho) {
+    const double length = std::hypot(z, rho);
+    return length == 0 ? 0 : z / length;
+  }
   /// The cosine of the angle between (z, rho) and a direction; of the angle at the origin, 0.
   static double cosine_to(double z, double rho, const rational_bounds& cosine,
                           const rational_bounds& sine) {
@@ -60,27 +64,31 @@ namespace detail {
 /// The arithmetic that intervals and eight intervals have in common. `A` has the rest:
 ///   corner(z, rho, far, u, v)   sets (u, v) to the corner of the box at which the angle from +z is
 ///                               least or, `far`, greatest
-///   between(a, b, above, below) the hull of a and b, cut to [-1, 1]; up to 1 where above may be
-///                               >= 0 and below may be <= 0
-///   turned(t, a, b)             the hull of a and b, cut to [-1, 1]; up to 1 where t has -1/2,
-///   down
+///   between(a, b, above, below) the hull of a and b, cut to [-1, 1]; up to 1 where a and above may
+///                               be >= 0 and below may be <= 0
+///   turned(t, a, b)             the hull of a and b, cut to [-1, 1]; to 1 where t has -1/2, and
 ///                               to -1 where it has 1/2
 template <class A, class I> struct angular_intervals {
-  /// rho >= 0.
+  /// z / sqrt(z^2 + rho^2), rho >= 0: the cosine of the angle from +z, which falls with it.
+  static I cosine(const I& z, const I& rho) {
+    const auto at = [](const I& u, const I& v) { return u / A::root(sqr(u) + sqr(v)); };
+    I u, v, p, q;
+    A::corner(z, rho, false, u, v);
+    A::corner(z, rho, true, p, q);
+    const I nowhere = constants<I>::exact(-1);
+    return A::between(at(u, v), at(p, q), nowhere, nowhere);
+  }
+  /// rho >= 0; the direction is between +z and +rho. It is within the box's angles, and 1 is
+  /// reached, if it is not nearer to +z than the first corner, nor further than the last; the first
+  /// is then less than a right angle from it.
   static I cosine_to(const I& z, const I& rho, const rational_bounds& cosine,
                      const rational_bounds& sine) {
     const I c = A::bounds_of(cosine), s = A::bounds_of(sine);
-    struct at_corner {
-      I value, side; ///< side >= 0: the direction is further from +z than the corner
-      at_corner(const I& u, const I& v, const I& c, const I& s)
-          : value((u * c + v * s) * A::reciprocal(A::root(sqr(u) + sqr(v)))), side(u * s - v * c) {}
-    };
-    I u, v;
+    I u, v, p, q;
     A::corner(z, rho, false, u, v);
-    const at_corner first(u, v, c, s);
-    A::corner(z, rho, true, u, v);
-    const at_corner last(u, v, c, s);
-    return A::between(first.value, last.value, first.side, last.side);
+    A::corner(z, rho, true, p, q);
+    return A::between((u * c + v * s) / A::root(sqr(u) + sqr(v)),
+                      (p * c + q * s) / A::root(sqr(p) + sqr(q)), u * s - v * c, p * s - q * c);
   }
   /// T_3 rises to 1 at -1/2, falls to -1 at 1/2, and rises.
   static I third(const I& t) {
@@ -116,7 +124,7 @@ struct angular<boost::numeric::interval<double, Policies>>
   static interval between(const interval& a, const interval& b, const interval& above,
                           const interval& below) {
     const double lo = std::min(a.lower(), b.lower()), hi = std::max(a.upper(), b.upper());
-    const bool turns = above.upper() >= 0 && below.lower() <= 0;
+    const bool turns = a.upper() >= 0 && above.upper() >= 0 && below.lower() <= 0;
     // a NaN, of a corner in the origin, fails the comparisons
     const bool known = a.lower() <= a.upper() && b.lower() <= b.upper();
     return interval(known && lo > -1 ? lo : -1.0, known && hi < 1 && !turns ? hi : 1.0);
@@ -158,10 +166,9 @@ template <int M, int N> struct asterisk {
     const T rho = a::root(square), distance = a::root(square + sqr(z.value)),
             inverse = a::reciprocal(distance);
     const T sine_m = sine_of_m(x.value, y.value), sine_n = sine_of_n(rho, z.value);
-    const T cosine = a::cosine_to(x.value, a::magnitude(y.value), one, zero),
-            sine = a::cosine_to(y.value, a::magnitude(x.value), one, zero),
-            height = a::cosine_to(z.value, rho, one, zero),
-            breadth = a::cosine_to(z.value, rho, zero, one);
+    const T cosine = a::cosine(x.value, a::magnitude(y.value)),
+            sine = a::cosine(y.value, a::magnitude(x.value)), height = a::cosine(z.value, rho),
+            breadth = a::limited(rho * inverse, constants<T>::exact(1));
     const T around = constants<T>::exact(M) * multiple<M>(cosine),
             over = constants<T>::exact(N) * multiple<N>(height);
     const T slope =
@@ -192,8 +199,6 @@ private:
     return T(sin(T(M * atan2(y, x))) * sin(T(N * atan2(rho, z))) - distance);
   }
 
-  static constexpr rational_bounds one{1, 1, 1}, zero{0, 0, 0};
-
   /// T_K(cos t) = cos(K t).
   template <int K, class T> static T multiple(const T& t) {
     if constexpr (K == 1)
@@ -206,7 +211,7 @@ private:
     }
   }
   template <class T> static T sine_of_m(const T& x, const T& y) {
-    const T sine = multiple<M>(angular<T>::cosine_to(y, angular<T>::magnitude(x), one, zero));
+    const T sine = multiple<M>(angular<T>::cosine(y, angular<T>::magnitude(x)));
     if constexpr (M % 4 == 3)
       return -sine;
     else

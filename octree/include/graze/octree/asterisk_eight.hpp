@@ -26,7 +26,8 @@ template <class P> struct angular_lanes {
     const vector one = P::broadcast(1), minus = P::broadcast(-1);
     const vector lo = P::min_or_second(a.lo, b.lo), hi = P::max_or_second(a.hi, b.hi);
     const mask turns =
-        P::both(P::less_equal(P::zero(), above.hi), P::less_equal(below.lo, P::zero()));
+        P::both(P::less_equal(P::zero(), a.hi),
+                P::both(P::less_equal(P::zero(), above.hi), P::less_equal(below.lo, P::zero())));
     const mask known = P::both(P::less_equal(a.lo, a.hi), P::less_equal(b.lo, b.hi));
     const mask low = P::both(known, P::less(minus, lo)), high = P::both(known, P::less(hi, one));
     return {P::select(low, lo, minus), P::select(high, P::select(turns, one, hi), one)};

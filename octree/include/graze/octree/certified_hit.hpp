@@ -248,7 +248,8 @@ public:
     negative_ = ((negative & ~passed) | (negative_at_u & passed)) & ~blurred;
     proven_ = proven & ~blurred;
     // the sign is another one behind what is blurred than before
-    const unsigned changed = ((was_positive_ & negative_) | (was_negative_ & positive_)) &
+    const unsigned changed = (without_jumps(f_) ? all : 0) &
+                             ((was_positive_ & negative_) | (was_negative_ & positive_)) &
                              L::less_equal(L::load(entry_up_), near) &
                              L::less_equal(far, L::load(exit_down_));
     hit_ = (converged & inside) | changed;
@@ -277,6 +278,14 @@ public:
   [[nodiscard]] GRAZE_BATCH_INLINE double steps(std::size_t lane) const { return steps_[lane]; }
 
 private:
+  /// f is continuous everywhere, so that opposite signs mean a root between. Newton's steps do not
+  /// need it: of a surface that is not, derivatives must be unbounded on boxes where it may jump.
+  static GRAZE_BATCH_INLINE bool without_jumps(const F& f) {
+    if constexpr (requires { static_cast<bool>(f.continuous()); })
+      return f.continuous();
+    return true;
+  }
+
   using number = typename L::number;
   using interval = typename L::interval;
   using slope = dual<interval, 1>;

@@ -152,8 +152,12 @@ bool descend_child_by_child(const M& method, const cube& root, int level, const 
     f.pending &= f.pending - 1;
     waiting -= f.pending == 0 ? 1 : 0; // its last child may take its place
     at = f.at;
-    if (method.enter_child(f.cell, index, at))
-      stopped = open(f.cell.child(index), tree.child(f.node, index), at, f.depth + 1);
+    if (!method.enter_child(f.cell, index, at))
+      continue;
+    const cube cell = f.cell.child(index);
+    const typename T::node node = tree.child(f.node, index);
+    stopped = f.depth + 1 == level ? static_cast<bool>(visit(cell, node, std::as_const(at)))
+                                   : open(cell, node, at, f.depth + 1);
   }
   if (cells_opened != nullptr)
     *cells_opened += opened;

@@ -81,7 +81,7 @@ template <rounding::Backend B> struct ray_bounds {
     case heading::backward:
       return lowb(a, a.origin, p);
     default:
-      return p <= a.origin ? -infinity : infinity;
+      return choose(p <= a.origin, -infinity, infinity);
     }
   }
   /// Upper bound of the scaled t at which the ray passes the plane p (of its exit from p's near
@@ -93,7 +93,7 @@ template <rounding::Backend B> struct ray_bounds {
     case heading::backward:
       return uppb(a, a.origin, p);
     default:
-      return (C == convention::closed ? a.origin <= p : a.origin < p) ? infinity : -infinity;
+      return choose(C == convention::closed ? a.origin <= p : a.origin < p, infinity, -infinity);
     }
   }
 
@@ -111,6 +111,12 @@ template <rounding::Backend B> struct ray_bounds {
         const pair bound = hardware_up::mul(select(positive, both(a.c_up), both(a.c_down)), u);
         return interval_of(flip_first(bound));
       }
+      // -infinity to enter where p <= o, and to leave where not o <= p (closed), o < p (owned)
+      const bits not_above = (bits)(both(p) <= both(a.origin));
+      const bits below = (bits)(both(p) < both(a.origin));
+      const bits past =
+          C == convention::owned ? not_above : (not_above & bits{-1, 0}) | (below & bits{0, -1});
+      return interval_of((pair)((bits)both(infinity) ^ (past & bits{sign, sign})));
     }
 #endif
     return {enter_at(a, p), leave_at<C>(a, p)};
@@ -162,7 +168,8 @@ template <rounding::Backend B> struct ray_bounds {
 #if defined(__x86_64__)
     if constexpr (rounds_pairs_up<B>) {
       using namespace rounding::packed;
-      const auto all = [&](auto least) { return least(least(pair_of(x), pair_of(y)), pair_of(z)); };
+      // NaN as in common()
+      const auto all = [&](auto least) { return least(pair_of(z), least(pair_of(y), pair_of(x))); };
       const pair enter = max(all([](pair p, pair q) { return max(p, q); }), pair{0, 0});
       const pair leave = all([](pair p, pair q) { return min(p, q); });
       return !(leave[1] < enter[0]);

@@ -22,7 +22,7 @@ enum class flaw : unsigned {
   meaning,      ///< what was read is not what was written
   difference,   ///< two ways that promise the same bits differ
   decoration,   ///< a wrong decoration
-  not_tightest, ///< sound, but wider than the tightest enclosure
+  loose,        ///< sound, but wider than the tightest enclosure
   no_reason,    ///< refused without a reason of one line
 };
 inline constexpr unsigned flaw_kinds = 12;
