@@ -45,6 +45,12 @@ std::span<const row> rows() {
       standard<octree::tanglecube>("tanglecube", "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8", 2, 2.5,
                                    {0.85, 0.50, 0.06}),
       standard<octree::holesrot>("holesrot", "x^3+y^3+z^3-x-y-z", 2, 2, {0.16, 0.55, 0.20}),
+      standard<octree::asterisk<3, 4>>(
+          "asterisk(3,4)", "sin(3*atan2(y,x))*sin(4*atan2(hypot(x,y),z)) - hypot(hypot(x,y),z)",
+          0.5, 1, {0.70, 0.20, 0.45}),
+      standard<octree::asterisk<9, 18>>(
+          "asterisk(9,18)", "sin(9*atan2(y,x))*sin(18*atan2(hypot(x,y),z)) - hypot(hypot(x,y),z)",
+          0.5, 1, {0.80, 0.65, 0.15}),
   };
   return table;
 }

@@ -50,7 +50,7 @@ TEST_CASE("render.camera: at other sizes a ray is within 2^-49 of the design's",
 }
 
 TEST_CASE("render.scene: the table is the design's", "[unit]") {
-  REQUIRE(scenes().size() == 4);
+  REQUIRE(scenes().size() == 6);
   const auto is = [](const char* name, double scale, double half) {
     const scene* s = find_scene(name);
     REQUIRE(s != nullptr);
@@ -61,5 +61,7 @@ TEST_CASE("render.scene: the table is the design's", "[unit]") {
   is("quartdef", 1.125, 1.5);
   is("tanglecube", 2, 2.5);
   is("holesrot", 2, 2);
+  is("asterisk(3,4)", 0.5, 1);
+  is("asterisk(9,18)", 0.5, 1);
   CHECK(find_scene("teapot") == nullptr);
 }
