@@ -54,7 +54,7 @@ TEST_CASE("render.scene: the table is the design's", "[unit]") {
   const auto is = [](const char* name, double scale, double half) {
     const scene* s = find_scene(name);
     REQUIRE(s != nullptr);
-    CHECK(s->scale == scale);
+    CHECK(s->view == camera::standard(scale));
     CHECK(s->domain == graze::octree::box{{-half, -half, -half}, {half, half, half}});
   };
   is("spheres", 1.5, 2.5);

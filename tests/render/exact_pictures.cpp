@@ -23,9 +23,9 @@ std::optional<oracle::root> first(const scene& s, const octree::ray& r) {
 TEST_CASE("render.pictures: verdicts and depth enclosures hold the exact first root", "[mpfr]") {
   const char* const name = GENERATE("spheres", "quartdef", "tanglecube", "holesrot");
   const scene& s = *find_scene(name);
-  const camera view = s.view();
-  const auto coarse = s.prepare(s, 9, 30);
-  const auto fine = s.prepare(s, 9, 50);
+  const camera view = s.view;
+  const auto coarse = prepare(s, 9, 30);
+  const auto fine = prepare(s, 9, 50);
   REQUIRE(coarse);
   REQUIRE(fine);
   int hits = 0, misses = 0;
@@ -57,12 +57,12 @@ TEST_CASE("render.pictures: 512x512 has the exact number of hits at 30 and at 50
   const auto expect = [](const char* name, std::uint64_t hits) {
     const scene& s = *find_scene(name);
     for (const int levels : {30, 50}) {
-      const auto work = s.prepare(s, 9, levels);
+      const auto work = prepare(s, 9, levels);
       REQUIRE(work);
-      const rendering picture = cast(s, **work, {512, 2});
+      const rendering picture = render_picture(s, **work, {512, 2});
       CHECK(picture.counts.hits == hits);
       CHECK(picture.counts.undecided == 0);
-      CHECK(picture.counts.rays == 262144);
+      CHECK(picture.counts.rays() == 262144);
     }
   };
   expect("tanglecube", 97549);
@@ -71,10 +71,10 @@ TEST_CASE("render.pictures: 512x512 has the exact number of hits at 30 and at 50
 
 TEST_CASE("render.pictures: the same picture for one thread, two, and seven", "[unit]") {
   const scene& s = *find_scene("holesrot");
-  const auto work = s.prepare(s, 7, 30);
+  const auto work = prepare(s, 7, 30);
   REQUIRE(work);
   const auto bytes = [&](unsigned threads) {
-    return *encode(to_picture(cast(s, **work, {100, threads})), file_format::exr);
+    return *encode(to_picture(render_picture(s, **work, {100, threads})), file_format::exr);
   };
   const auto one = bytes(1);
   CHECK(bytes(2) == one);

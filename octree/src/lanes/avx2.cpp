@@ -1,5 +1,6 @@
 // The kernels of the path avx2, compiled for its instructions.
 #include "tables.hpp"
+#include <graze/octree/asterisk_eight.hpp>
 #include <graze/octree/lane_kernels_of_path.hpp>
 
 namespace graze::octree::detail {
@@ -8,5 +9,7 @@ constinit const lane_tables avx2_lanes{
     make_lane_kernels<batch::avx2, octree::quartdef>(),
     make_lane_kernels<batch::avx2, octree::tanglecube>(),
     make_lane_kernels<batch::avx2, octree::holesrot>(),
+    make_lane_kernels<batch::avx2, octree::asterisk<3, 4>>(),
+    make_lane_kernels<batch::avx2, octree::asterisk<9, 18>>(),
 };
 } // namespace graze::octree::detail

@@ -31,5 +31,11 @@ template <> const lane_kernels<tanglecube>& lane_kernels_of<tanglecube>(batch::p
 template <> const lane_kernels<holesrot>& lane_kernels_of<holesrot>(batch::path p) {
   return tables_of(p).holesrot;
 }
+template <> const lane_kernels<asterisk<3, 4>>& lane_kernels_of<asterisk<3, 4>>(batch::path p) {
+  return tables_of(p).asterisk_3_4;
+}
+template <> const lane_kernels<asterisk<9, 18>>& lane_kernels_of<asterisk<9, 18>>(batch::path p) {
+  return tables_of(p).asterisk_9_18;
+}
 
 } // namespace graze::octree

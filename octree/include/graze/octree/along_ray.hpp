@@ -63,6 +63,11 @@ public:
     return std::isfinite(t) ? certified_sign(natural_extension<B>(f_, points(t, t))) : 0;
   }
 
+  /// Proven: g is continuous on [first, last].
+  [[nodiscard]] bool is_continuous_on(double first, double last) const {
+    return is_continuous(f_) || octree::is_continuous_on<B>(f_, points(first, last));
+  }
+
   /// The proven sign that g has on all of [first, last]; 0 where it may have a zero there. Decided
   /// by f on the box that the ray runs through, or by the mean value form of g, whose excess falls
   /// with the square of the length.

@@ -156,7 +156,7 @@ template <class Path, convention C> struct surface_descent<sound_eight<Path, C>>
   template <rounding::Backend B, Surface F>
   static GRAZE_BATCH_INLINE content content_of(const F& f, const cube& cell, const box& b) {
     if (b.hi[0] == cell.hi(0) && b.hi[1] == cell.hi(1) && b.hi[2] == cell.hi(2) &&
-        b.lo == cell.lo) {
+        b.lo == cell.lo && is_continuous(f)) {
       const eight_signs s =
           signs_at(f, eight_boxes<Path>::corners(method::corner(cell), cell.size));
       if (s.positive != 0 && s.negative != 0)

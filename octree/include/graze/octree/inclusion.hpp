@@ -63,8 +63,17 @@ template <rounding::Backend B, Surface F> [[nodiscard]] bool has_no_zero(const F
   if (excludes_zero(natural_extension<B>(f, x)))
     return true;
   if constexpr (!has_tight_extension<F>())
-    return excludes_zero(mean_value_form<B>(f, x, value_and_gradient<B>(f, x).partial));
+    return !extension_is_tight(f) &&
+           excludes_zero(mean_value_form<B>(f, x, value_and_gradient<B>(f, x).partial));
   return false;
+}
+
+/// Proven: f is defined and continuous on all of x, so that opposite signs in x mean a zero there.
+template <rounding::Backend B, Surface F>
+[[nodiscard]] bool is_continuous_on(const F& f, const bound3<B>& x) {
+  if constexpr (requires { f.template continuous_on<B>(x); })
+    return f.template continuous_on<B>(x);
+  return is_continuous(f);
 }
 
 /// The sign of f at a point, proven; 0 where it is unknown, which a zero always is.
@@ -92,7 +101,7 @@ template <rounding::Backend B, Surface F>
     positive += sign > 0;
     negative += sign < 0;
     if (positive != 0 && negative != 0)
-      return content::certified;
+      return is_continuous_on<B>(f, intervals<B>(b)) ? content::certified : content::possible;
   }
   if (positive != 8 && negative != 8)
     return content::possible;

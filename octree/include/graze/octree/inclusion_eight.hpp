@@ -91,7 +91,7 @@ GRAZE_BATCH_INLINE unsigned have_no_zero(const F& f, const eight_boxes<Path>& b,
   const I x = b.axis(0), y = b.axis(1), z = b.axis(2);
   unsigned none = excludes_zero(f(x, y, z));
   if constexpr (!has_tight_extension<F>()) {
-    if ((wanted & ~none) != 0) {
+    if ((wanted & ~none) != 0 && !extension_is_tight(f)) {
       using d = dual<I>;
       const d at = f(d::variable(x, 0), d::variable(y, 1), d::variable(z, 2));
       const auto centre = [](const I& t) {

@@ -3,12 +3,13 @@
 /// instructions that the processor has: the results of surface_traversal, certified_traversal and
 /// voxelize, bit for bit, sooner.
 ///
-/// The kernels of the four surfaces of surfaces.hpp are in graze::octree. For a surface of one's
-/// own: a file for each path, compiled for its instructions, that defines a table by
-/// make_lane_kernels (lane_kernels_of_path.hpp), and a specialization of lane_kernels_of that
+/// The kernels of the scenes' surfaces (surfaces.hpp, asterisk.hpp) are in graze::octree. For a
+/// surface of one's own: a file for each path, compiled for its instructions, that defines a table
+/// by make_lane_kernels (lane_kernels_of_path.hpp), and a specialization of lane_kernels_of that
 /// chooses among them; octree/src/lanes is the model.
 #include <cassert>
 #include <graze/batch.hpp>
+#include <graze/octree/asterisk.hpp>
 #include <graze/octree/certified_hit.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree/voxelizer.hpp>
@@ -43,6 +44,8 @@ template <> const lane_kernels<spheres>& lane_kernels_of<spheres>(batch::path p)
 template <> const lane_kernels<quartdef>& lane_kernels_of<quartdef>(batch::path p);
 template <> const lane_kernels<tanglecube>& lane_kernels_of<tanglecube>(batch::path p);
 template <> const lane_kernels<holesrot>& lane_kernels_of<holesrot>(batch::path p);
+template <> const lane_kernels<asterisk<3, 4>>& lane_kernels_of<asterisk<3, 4>>(batch::path p);
+template <> const lane_kernels<asterisk<9, 18>>& lane_kernels_of<asterisk<9, 18>>(batch::path p);
 
 /// The scalar backend beside the kernels, whose scope serves every path: embedded rounding looks at
 /// no mode.

@@ -165,6 +165,21 @@ private:
       positive_at_ = std::min(positive_at_, t);
     if (sign < 0)
       negative_at_ = std::min(negative_at_, t);
+    if (proven() && !continuous_between())
+      forget_first(t);
+  }
+  [[nodiscard]] bool continuous_between() const {
+    return g_.is_continuous_on(std::min(positive_at_, negative_at_),
+                               std::max(positive_at_, negative_at_));
+  }
+  /// Signs that may be opposite because g jumps or has a gap prove nothing. The one before may lie
+  /// far back, however: first it is looked for anew where the octants kept begin.
+  void forget_first(double t) {
+    double& before = positive_at_ < negative_at_ ? positive_at_ : negative_at_;
+    const int sign = positive_at_ < negative_at_ ? 1 : -1;
+    before = clamped(near_);
+    if (!(before < t && g_.sign_at(before) == sign && continuous_between()))
+      before = infinity;
   }
   [[nodiscard]] double clamped(double t) const {
     return std::max(domain_.entry_up, std::min(t, domain_.exit_down));

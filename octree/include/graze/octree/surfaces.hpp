@@ -22,6 +22,21 @@ template <class F> consteval bool has_tight_extension() {
     return F::tight_extension;
   return false;
 }
+/// The same of an object whose type does not know: its member extension_is_tight() says so.
+template <class F> bool extension_is_tight(const F& f) {
+  if constexpr (requires { f.extension_is_tight(); })
+    return f.extension_is_tight();
+  return has_tight_extension<F>();
+}
+
+/// f is defined and continuous at every point of space, as a surface is taken to be unless its
+/// member continuous() denies it. Of such a one continuous_on<B>(box) says where it is proven
+/// (inclusion.hpp, is_continuous_on); octree_formula.hpp has the rules that it must keep.
+template <class F> bool is_continuous(const F& f) {
+  if constexpr (requires { f.continuous(); })
+    return f.continuous();
+  return true;
+}
 
 /// The union of nine balls: the least of nine |p - centre|^2 - radius^2.
 /// All centres and squared radii are exact doubles.

@@ -121,7 +121,7 @@ public:
     unsigned certified = 0;
     if (open == 0)
       return {};
-    if (!o.cut) {
+    if (!o.cut && is_continuous(f_)) {
       const eight_signs s = detail::lattice_signs(f_, o.corner, mid, o.half);
       certified = open & detail::children_with(s.positive) & detail::children_with(s.negative);
     }

@@ -1,0 +1,95 @@
+#pragma once
+/// Surfaces from text: `formula::parse("x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8")`.
+///
+/// Grammar, blanks anywhere between:
+///   sum      = product { ("+" | "-") product }
+///   product  = signed { ("*" | "/") signed | power }      the last: 5x^2, 2(x+1), (x+1)(x-1)
+///   signed   = { "+" | "-" } power                        -x^2 is -(x^2)
+///   power    = primary [ "^" signed ]                     x^y^z is x^(y^z)
+///   primary  = number | name | name "(" sum { "," sum } ")" | "(" sum ")"
+/// A number is decimal (11.8, .5, 1e-3) or hexadecimal (0x1.8p-3) and means that real number: one
+/// that is no double is enclosed by its two neighbours. Names: x y z, pi, e, and the functions
+///   sqr sqrt cbrt abs exp exp2 exp10 expm1 log (ln) log2 log10 log1p sin cos tan cot sec csc asin
+///   acos atan acot sinh cosh tanh coth sech csch asinh acosh atanh acoth sign floor ceil trunc,
+///   atan2(y, x) hypot(x, y) pow(x, y) pown(x, n) rootn(x, n), min and max of two or more, and for
+///   solids f <= 0: union(a, b, ...) = min, intersection(a, b, ...) = max,
+///   difference(a, b) = max(a, -b).
+/// A product without a sign is refused where it could be read in two ways: after "/" and after "^",
+/// as in 1/2x and x^2y. x^n with an integer n is the power for all x; with any other exponent
+/// x^y = e^(y log x), for x > 0, or x = 0 < y: the real cube root of any number is cbrt(x).
+///
+/// Where f is not defined there is no surface: {f = 0} holds points at which f is defined, that is,
+/// at which every part of the formula is (min(sqrt(x), y) is not, for x < 0).
+#include <graze/expected.hpp>
+#include <graze/octree/inclusion.hpp>
+#include <graze/octree_formula/evaluate.hpp>
+#include <memory>
+#include <string_view>
+
+namespace graze::octree {
+
+/// f(x, y, z) of a formula, which must outlive it. Models Surface: a number type in, the same out,
+/// over double, intervals of any policies, interval8 (octree_formula/operations_eight.hpp), and
+/// duals of these. Copying costs nothing.
+///
+/// What an evaluation over intervals says of a box where f is not defined, or not continuous,
+/// everywhere:
+///   - The value encloses f at all points of the box at which f is defined. Hence an octant whose
+///     value excludes 0 holds no surface, and any other is kept: also one in which f is defined
+///     nowhere for all that intervals can tell.
+///   - Where the value's enclosure is empty, f is defined nowhere on the box and has no zero there;
+///     the value given is 1, which says just that.
+///   - Derivatives are unbounded, [-inf, inf], unless f is proven to be defined and continuous on
+///     the whole box: the mean value theorem needs the segment to the centre, and f monotone in
+///     each variable means nothing across a gap. So the mean value form and the last-level test
+///     discard nothing there.
+///   - Signs at two points prove no zero between them unless continuous_on() holds for a box (or a
+///     segment) that has both: 1/x changes its sign and has no zero.
+/// Derivatives are those of f as it is on the box: at a kink (abs, min, max) within it those of
+/// both branches, that is, Clarke's generalized gradient, for which the mean value theorem holds
+/// (Lebourg); with a kink in the box's face those of the branch within.
+class formula_surface {
+public:
+  explicit formula_surface(const tape::program& p) : program_(&p) {}
+
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    return tape::evaluate(*program_, x, y, z);
+  }
+
+  /// Proven: f is defined at every point of the box and continuous on it. Within a scope of B.
+  template <rounding::Backend B> [[nodiscard]] bool continuous_on(const bound3<B>& x) const {
+    return program_->continuous || tape::run<true>(*program_, x[0], x[1], x[2]).continuous != 0;
+  }
+  /// f is defined and continuous everywhere.
+  [[nodiscard]] bool continuous() const { return program_->continuous; }
+  /// The natural interval extension is the range but for rounding, so that a mean value form cannot
+  /// be tighter (of min and max, as in surfaces.hpp: their lower, or upper, end).
+  [[nodiscard]] bool extension_is_tight() const { return program_->tight; }
+  [[nodiscard]] const tape::program& program() const { return *program_; }
+
+private:
+  const tape::program* program_;
+};
+
+/// A text formula, compiled. Copies share what was compiled, which never changes: any thread.
+class formula {
+public:
+  /// Bytes of text, operators within operators, and numbers' characters, beyond which a text is
+  /// refused.
+  static constexpr std::size_t longest_text = 65536, most_nested = 200, longest_number = 1000;
+
+  /// Refuses what is no formula, with a reason that begins with "column N: "; N, which counts bytes
+  /// from 1, is also written to `column` if given. Any text, hostile ones included: time and memory
+  /// are bounded, nothing is thrown.
+  [[nodiscard]] static expected<formula> parse(std::string_view text,
+                                               std::size_t* column = nullptr);
+
+  [[nodiscard]] formula_surface surface() const { return formula_surface(*program_); }
+
+private:
+  explicit formula(std::shared_ptr<const tape::program> p) : program_(std::move(p)) {}
+
+  std::shared_ptr<const tape::program> program_;
+};
+
+} // namespace graze::octree

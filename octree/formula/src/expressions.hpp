@@ -1,0 +1,107 @@
+#pragma once
+/// What the parser builds: sums of monomials over shared nodes, simplified as they are made.
+///
+/// A rewriting is allowed only if it leaves f the same function: the same real values, defined at
+/// the same points. So nothing that may be undefined somewhere is cancelled or multiplied by 0
+/// away, and no quotient is reduced.
+#include <compare>
+#include <graze/interval.hpp>
+#include <graze/octree_formula/tape.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace graze::octree::tape {
+
+using number = graze::interval<>;
+using node = std::uint32_t;
+
+/// base^exponent, exponent > 0.
+struct factor {
+  node base;
+  std::int32_t exponent;
+  friend auto operator<=>(const factor&, const factor&) = default;
+};
+/// A product of powers, ascending by base; empty for 1.
+using monomial = std::vector<factor>;
+/// The sum of coefficient * monomial; a coefficient encloses a real number, is bounded, and is
+/// never [0, 0] but where the monomial may be undefined. Empty for 0.
+using sum_form = std::map<monomial, number>;
+
+class expressions {
+public:
+  /// Largest exponent; also of the product of two powers.
+  static constexpr std::int32_t most_exponent = 1 << 30;
+
+  expressions();
+
+  [[nodiscard]] sum_form variable(int axis) const;
+  [[nodiscard]] static sum_form constant(const number& value);
+  /// The number, where it is no more than that.
+  [[nodiscard]] static std::optional<number> as_constant(const sum_form& f);
+
+  // Each gives nothing where it is refused; reason() says why.
+  using result = std::optional<sum_form>;
+  result add(sum_form f, const sum_form& g);
+  result sub(sum_form f, const sum_form& g);
+  result mul(sum_form f, sum_form g);
+  result div(const sum_form& f, const sum_form& g);
+  result neg(sum_form f);
+  result power(const sum_form& f, const sum_form& g);
+  result integer_power(const sum_form& f, std::int64_t n);
+  result root(const sum_form& f, std::int64_t n);
+  result unary(opcode op, const sum_form& f);
+  result binary(opcode op, const sum_form& f, const sum_form& g);
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+  /// The tape of f. Nothing if it needs too many registers.
+  std::optional<program> compile(const sum_form& f);
+
+private:
+  struct operation {
+    opcode op;
+    node a = 0, b = 0;
+    std::int32_t n = 0;
+    friend auto operator<=>(const operation&, const operation&) = default;
+  };
+  struct univariate;
+
+  result refuse(const char* why);
+  result scaled(sum_form f, const number& by);
+  void accumulate(sum_form& f, const monomial& m, const number& by) const;
+  [[nodiscard]] bool continuous(const monomial& m) const;
+  [[nodiscard]] static sum_form of_node(node n) { return {{{{n, 1}}, number(1.0)}}; }
+
+  node intern(opcode op, node a = 0, node b = 0, std::int32_t n = 0);
+  std::int32_t constant_index(const number& value);
+  node constant_node(const number& value) {
+    return intern(opcode::constant, 0, 0, constant_index(value));
+  }
+  node product_with(node n, const number& coefficient);
+  node power_node(node base, std::int32_t exponent);
+  node monomial_node(const monomial& m);
+  /// f as one node.
+  node emit(const sum_form& f);
+  node emit(const univariate& p, number& constant_part);
+  std::optional<node> polynomial_node(const std::vector<number>& coefficients, node at);
+  std::uint32_t store(const std::vector<number>& coefficients, std::uint32_t derivative);
+
+  std::vector<operation> nodes_;
+  std::vector<bool> continuous_; ///< the node, with all that it is made of, is so everywhere
+  std::map<operation, node> known_;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::int32_t> known_constants_;
+  /// By the base and the constants' indices.
+  std::map<std::pair<node, std::vector<std::int32_t>>, node> known_polynomials_;
+  program program_;
+  int polynomials_left_ = 64; ///< for which turns are still looked for: it takes up to 10 ms each
+  std::string reason_;
+};
+
+/// The turns of a polynomial, the highest coefficient first, its derivative given likewise; see
+/// tape::turn. Nothing if the derivative's leading coefficient may be 0 or they are out of range.
+std::optional<std::vector<turn>> turns_of(const std::vector<number>& polynomial,
+                                          const std::vector<number>& derivative);
+
+} // namespace graze::octree::tape

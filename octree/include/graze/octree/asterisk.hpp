@@ -1,0 +1,225 @@
+#pragma once
+/// The asterisks: sin(m theta) sin(n phi) = R in spherical coordinates, theta = atan2(y, x), phi
+/// the angle from +z, R the distance from the origin.
+///
+/// The sines are Chebyshev's polynomials of the cosines of angles, which are ratios of coordinates:
+///     sin(m theta) = (-1)^((m-1)/2) T_m(sin theta), m odd, sin theta = y / rho, rho^2 = x^2 + y^2,
+///     sin(n phi) = T_n(cos(phi - pi/(2n))),  cos(phi - b) = (z cos b + rho sin b) / R,
+/// so that no angle is computed: there is no branch cut, and each sine's enclosure is its range but
+/// for rounding, since the angles of a box run between those of two of its corners, and T_m and T_n
+/// are compositions of T_2 and T_3, each taken by its monotone pieces.
+///
+/// On the axis x = y = 0 theta is not defined, but sin(n phi) is 0 there: f = -R, which makes f
+/// continuous off the origin. At the origin f is set to 0: it belongs to the surface, whose closure
+/// holds it. With that, opposite signs at two points mean a zero on the segment between them, and
+/// in every box that has both: a segment without the origin is one on which f is continuous, and
+/// one with it has the origin's zero. Derivatives are not bounded where a box holds the origin.
+#include <cmath>
+#include <graze/octree/dual.hpp>
+#include <graze/octree/surfaces.hpp>
+
+namespace graze::octree {
+
+/// A direction b in the half-plane (rho, z), by an enclosure of its cosine and sine. pi/(2n) for n
+/// = 4, 18; their digits are compared with MPFR's in the tests.
+template <int N> struct direction_of_sine;
+template <> struct direction_of_sine<4> { // pi/8
+  static constexpr rational_bounds cosine{0x1.d906bcf328d46p-1, 0x1.d906bcf328d47p-1,
+                                          0x1.d906bcf328d46p-1};
+  static constexpr rational_bounds sine{0x1.87de2a6aea962p-2, 0x1.87de2a6aea963p-2,
+                                        0x1.87de2a6aea963p-2};
+};
+template <> struct direction_of_sine<18> { // pi/36
+  static constexpr rational_bounds cosine{0x1.fe0d3b41815a1p-1, 0x1.fe0d3b41815a2p-1,
+                                          0x1.fe0d3b41815a2p-1};
+  static constexpr rational_bounds sine{0x1.64fd6b8c28102p-4, 0x1.64fd6b8c28103p-4,
+                                        0x1.64fd6b8c28103p-4};
+};
+
+/// What an asterisk asks of a number type: double here, intervals below, eight of them in
+/// asterisk_eight.hpp. Over a type without it the surface is evaluated by its sines.
+template <class N> struct angular;
+
+template <> struct angular<double> {
+  static double magnitude(double x) { return std::fabs(x); }
+  static double root(double x) { return std::sqrt(x); }
+  static double reciprocal(double x) { return 1 / x; }
+  /// The cosine of the angle between (z, rho) and a direction; of the angle at the origin, 0.
+  static double cosine_to(double z, double rho, const rational_bounds& cosine,
+                          const rational_bounds& sine) {
+    const double length = std::hypot(z, rho);
+    return length == 0 ? 0 : (z * cosine.nearest + rho * sine.nearest) / length;
+  }
+  /// T_3(t) = 4 t^3 - 3 t, -1 <= t <= 1.
+  static double third(double t) { return t * (4 * t * t - 3); }
+  /// x, which is known to be in [-limit, limit].
+  static double limited(double x, double) { return x; }
+};
+
+namespace detail {
+/// The arithmetic that intervals and eight intervals have in common. `A` has the rest:
+///   corner(z, rho, far, u, v)   sets (u, v) to the corner of the box at which the angle from +z is
+///                               least or, `far`, greatest
+///   between(a, b, above, below) the hull of a and b, cut to [-1, 1]; up to 1 where above may be
+///                               >= 0 and below may be <= 0
+///   turned(t, a, b)             the hull of a and b, cut to [-1, 1]; up to 1 where t has -1/2,
+///   down
+///                               to -1 where it has 1/2
+template <class A, class I> struct angular_intervals {
+  /// rho >= 0.
+  static I cosine_to(const I& z, const I& rho, const rational_bounds& cosine,
+                     const rational_bounds& sine) {
+    const I c = A::bounds_of(cosine), s = A::bounds_of(sine);
+    struct at_corner {
+      I value, side; ///< side >= 0: the direction is further from +z than the corner
+      at_corner(const I& u, const I& v, const I& c, const I& s)
+          : value((u * c + v * s) * A::reciprocal(A::root(sqr(u) + sqr(v)))), side(u * s - v * c) {}
+    };
+    I u, v;
+    A::corner(z, rho, false, u, v);
+    const at_corner first(u, v, c, s);
+    A::corner(z, rho, true, u, v);
+    const at_corner last(u, v, c, s);
+    return A::between(first.value, last.value, first.side, last.side);
+  }
+  /// T_3 rises to 1 at -1/2, falls to -1 at 1/2, and rises.
+  static I third(const I& t) {
+    const I a = A::lower_end(t), b = A::upper_end(t);
+    const I three = constants<I>::exact(3);
+    const auto at = [&](const I& x) {
+      const I y = x + x;
+      return x * (sqr(y) - three);
+    };
+    return A::turned(t, at(a), at(b));
+  }
+};
+} // namespace detail
+
+template <class Policies>
+struct angular<boost::numeric::interval<double, Policies>>
+    : detail::angular_intervals<angular<boost::numeric::interval<double, Policies>>,
+                                boost::numeric::interval<double, Policies>> {
+  using interval = boost::numeric::interval<double, Policies>;
+  static interval bounds_of(const rational_bounds& c) { return interval(c.lo, c.hi); }
+  static interval magnitude(const interval& x) {
+    return interval(std::max({0.0, x.lower(), -x.upper()}), std::max(-x.lower(), x.upper()));
+  }
+  static interval root(const interval& x) { return graze::sqrt(x); }
+  static interval reciprocal(const interval& x) { return interval(1.0) / x; }
+
+  static interval lower_end(const interval& x) { return interval(x.lower()); }
+  static interval upper_end(const interval& x) { return interval(x.upper()); }
+  static void corner(const interval& z, const interval& rho, bool far, interval& u, interval& v) {
+    u = interval(far ? z.lower() : z.upper());
+    v = interval((u.lower() >= 0) != far ? rho.lower() : rho.upper());
+  }
+  static interval between(const interval& a, const interval& b, const interval& above,
+                          const interval& below) {
+    const double lo = std::min(a.lower(), b.lower()), hi = std::max(a.upper(), b.upper());
+    const bool turns = above.upper() >= 0 && below.lower() <= 0;
+    // a NaN, of a corner in the origin, fails the comparisons
+    const bool known = a.lower() <= a.upper() && b.lower() <= b.upper();
+    return interval(known && lo > -1 ? lo : -1.0, known && hi < 1 && !turns ? hi : 1.0);
+  }
+  static interval turned(const interval& t, const interval& a, const interval& b) {
+    const double lo = std::min(a.lower(), b.lower()), hi = std::max(a.upper(), b.upper());
+    const bool falls_to = t.lower() <= 0.5 && t.upper() >= 0.5,
+               rises_to = t.lower() <= -0.5 && t.upper() >= -0.5;
+    return interval(lo > -1 && !falls_to ? lo : -1.0, hi < 1 && !rises_to ? hi : 1.0);
+  }
+  static interval limited(const interval& x, const interval& limit) {
+    const double most = limit.upper(), lo = x.lower(), hi = x.upper();
+    return interval(lo > -most ? lo : -most, hi < most ? hi : most, true);
+  }
+};
+
+/// sin(M theta) sin(N phi) - R. M: 3 or 9. N: 4 or 18.
+template <int M, int N> struct asterisk {
+  static_assert(M == 3 || M == 9, "an odd power of 3");
+  static_assert(N == 4 || N == 18, "composed of 2 and 3");
+
+  template <class T> T operator()(const T& x, const T& y, const T& z) const {
+    if constexpr (!requires { sizeof(angular<T>); })
+      return by_sines(x, y, z);
+    else
+      return by_polynomials(x, y, z);
+  }
+
+  /// By the derivatives in spherical coordinates, where cosines of multiples are polynomials too:
+  ///   f_x = -y/rho A' B/rho + A B' (x/rho) (z/R) / R - x/R
+  ///   f_y =  x/rho A' B/rho + A B' (y/rho) (z/R) / R - y/R
+  ///   f_z = -A B' (rho/R) / R - z/R
+  /// with A = sin(m theta), A' = m cos(m theta), B = sin(n phi), B' = n cos(n phi). Near the axis
+  /// |B/rho| = |sin(n phi) / sin(phi)| / R is at most n/R.
+  template <class T, std::size_t P>
+  dual<T, P> operator()(const dual<T, P>& x, const dual<T, P>& y, const dual<T, P>& z) const {
+    using a = angular<T>;
+    const T square = sqr(x.value) + sqr(y.value);
+    const T rho = a::root(square), distance = a::root(square + sqr(z.value)),
+            inverse = a::reciprocal(distance);
+    const T sine_m = sine_of_m(x.value, y.value), sine_n = sine_of_n(rho, z.value);
+    const T cosine = a::cosine_to(x.value, a::magnitude(y.value), one, zero),
+            sine = a::cosine_to(y.value, a::magnitude(x.value), one, zero),
+            height = a::cosine_to(z.value, rho, one, zero),
+            breadth = a::cosine_to(z.value, rho, zero, one);
+    const T around = constants<T>::exact(M) * multiple<M>(cosine),
+            over = constants<T>::exact(N) * multiple<N>(height);
+    const T slope =
+        around * a::limited(sine_n * a::reciprocal(rho), constants<T>::exact(N) * inverse);
+    const T fall = sine_m * over * inverse;
+    const T slopes[] = {fall * cosine * height - sine * slope - cosine_in_ball(x.value, inverse),
+                        fall * sine * height + cosine * slope - cosine_in_ball(y.value, inverse),
+                        -(fall * breadth) - height};
+    dual<T, P> r{sine_m * sine_n - distance, {}};
+    for (std::size_t i = 0; i < P; ++i)
+      r.partial[i] = slopes[0] * x.partial[i] + slopes[1] * y.partial[i] + slopes[2] * z.partial[i];
+    return r;
+  }
+
+private:
+  template <class T> static T by_polynomials(const T& x, const T& y, const T& z) {
+    using a = angular<T>;
+    const T square = sqr(x) + sqr(y);
+    return sine_of_m(x, y) * sine_of_n(a::root(square), z) - a::root(square + sqr(z));
+  }
+
+  template <class T> static T by_sines(const T& x, const T& y, const T& z) {
+    using std::atan2, std::sin, std::sqrt;
+    const T zero_of_type(0), square = x * x + y * y;
+    const T rho = sqrt(square), distance = sqrt(T(square + z * z));
+    if (rho == zero_of_type)
+      return T(-distance);
+    return T(sin(T(M * atan2(y, x))) * sin(T(N * atan2(rho, z))) - distance);
+  }
+
+  static constexpr rational_bounds one{1, 1, 1}, zero{0, 0, 0};
+
+  /// T_K(cos t) = cos(K t).
+  template <int K, class T> static T multiple(const T& t) {
+    if constexpr (K == 1)
+      return t;
+    else if constexpr (K % 3 == 0)
+      return angular<T>::third(multiple<K / 3>(t));
+    else {
+      const T half = sqr(multiple<K / 2>(t));
+      return half + half - constants<T>::exact(1);
+    }
+  }
+  template <class T> static T sine_of_m(const T& x, const T& y) {
+    const T sine = multiple<M>(angular<T>::cosine_to(y, angular<T>::magnitude(x), one, zero));
+    if constexpr (M % 4 == 3)
+      return -sine;
+    else
+      return sine;
+  }
+  template <class T> static T sine_of_n(const T& rho, const T& z) {
+    return multiple<N>(
+        angular<T>::cosine_to(z, rho, direction_of_sine<N>::cosine, direction_of_sine<N>::sine));
+  }
+  /// x/R, which is in [-1, 1].
+  template <class T> static T cosine_in_ball(const T& x, const T& inverse) {
+    return angular<T>::limited(x * inverse, constants<T>::exact(1));
+  }
+};
+
+} // namespace graze::octree

@@ -1,0 +1,194 @@
+// The scenes' formulas typed as text: the octants of the built-in surfaces, on every path, and the
+// same first hits.
+#include "../surface_judge.hpp"
+#include "../surface_scenes.hpp"
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <cstring>
+#include <graze/octree/lazy_octree.hpp>
+#include <graze/octree/voxelizer.hpp>
+#include <graze/octree_formula/lane_kernels.hpp>
+
+using namespace graze;
+using namespace graze::octree;
+using judge::real;
+
+namespace {
+
+std::string text_of(const spheres&) {
+  std::string text;
+  for (const auto& s : spheres::parts) {
+    char one[200];
+    std::snprintf(one, sizeof one, "(x-(%g))^2+(y-(%g))^2+(z-(%g))^2-%g^2", s.centre[0],
+                  s.centre[1], s.centre[2], s.radius);
+    text += (text.empty() ? "union(" : ",") + std::string(one);
+  }
+  return text + ")";
+}
+std::string text_of(const quartdef&) { return "(x^2-1)^2+(y^2-1)^2+(z^2-1)^2-1"; }
+std::string text_of(const tanglecube&) { return "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8"; }
+std::string text_of(const holesrot&) { return "x^3+y^3+z^3-x-y-z"; }
+
+template <class S> formula formula_of(const S& scene) {
+  const auto f = formula::parse(text_of(scene.surface));
+  INFO(f.reason());
+  REQUIRE(f);
+  return *f;
+}
+
+bool equal(const sparse_octree& a, const sparse_octree& b) {
+  const auto x = a.leaves(), y = b.leaves();
+  const auto masks = a.masks(), other = b.masks();
+  return std::equal(x.begin(), x.end(), y.begin(), y.end()) &&
+         std::equal(masks.begin(), masks.end(), other.begin(), other.end());
+}
+
+/// Octants of the last level that `finer` has and `coarser` lacks.
+std::size_t lost(const sparse_octree& finer, sparse_octree::node n, const sparse_octree& coarser,
+                 sparse_octree::node m, int level, std::size_t& leaves) {
+  if (level == finer.level()) {
+    ++leaves;
+    return 0;
+  }
+  std::size_t r = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    const auto bit = static_cast<std::uint8_t>(1u << i);
+    if (finer.child_mask(n, finer.box(), bit) == 0)
+      continue;
+    if (coarser.child_mask(m, coarser.box(), bit) == 0)
+      ++r;
+    else
+      r += lost(finer, finer.child(n, i), coarser, coarser.child(m, i), level + 1, leaves);
+  }
+  return r;
+}
+
+template <class Check> void on_each_path(Check check) {
+  for (const batch::path p : batch::paths) {
+    if (batch::refusal(p))
+      continue;
+    INFO(batch::name(p));
+    check(p);
+  }
+}
+
+} // namespace
+
+TEST_CASE("octree.formula: the scenes as text enclose MPFR's values as the built-in ones do",
+          "[property][mpfr]") {
+  scenes::for_each([](const auto& scene) {
+    const formula text = formula_of(scene);
+    const formula_surface f = text.surface();
+    CHECK(f.continuous());
+    CHECK(f.extension_is_tight());
+    judge::random_source random(7);
+    int wrong = 0, wider = 0;
+    for (int i = 0; i < 4000; ++i) {
+      box b;
+      for (int a = 0; a < 3; ++a) {
+        b.lo[a] = random.in(-scene.reach, scene.reach);
+        b.hi[a] = b.lo[a] + std::ldexp(random.in(0, 1), -static_cast<int>(random.below(53)));
+      }
+      const rounding::upward::scope scope;
+      const auto x = intervals<rounding::upward>(b);
+      const auto v = natural_extension<rounding::upward>(f, x),
+                 built_in = natural_extension<rounding::upward>(scene.surface, x);
+      vec3 p;
+      for (int a = 0; a < 3; ++a)
+        p[a] = std::clamp(random.in(b.lo[a], b.hi[a]), b.lo[a], b.hi[a]);
+      const real exact = scene.surface(real(p[0]), real(p[1]), real(p[2]));
+      wrong += !(real(v.lower()) <= exact && exact <= real(v.upper()));
+      // a few roundings of numbers of the size of the domain
+      wider += v.lower() < built_in.lower() - 0x1p-44 || v.upper() > built_in.upper() + 0x1p-44;
+    }
+    CHECK(wrong == 0);
+    CHECK(wider == 0);
+  });
+}
+
+TEST_CASE("octree.formula: the scenes as text keep the built-in octants, and hardly others",
+          "[property]") {
+  scenes::for_each([](const auto& scene) {
+    constexpr int level = 8;
+    const formula text = formula_of(scene);
+    const auto built_in = voxelize_in_lanes(scene.surface, scene.domain(), level);
+    const auto typed = voxelize_in_lanes(text.surface(), scene.domain(), level);
+    REQUIRE(built_in);
+    REQUIRE(typed);
+    std::size_t common = 0;
+    CHECK(lost(*built_in, built_in->root(), *typed, typed->root(), 0, common) == 0);
+    INFO(text_of(scene.surface).substr(0, 40)
+         << ": " << typed->leaf_count() << " octants, built-in " << built_in->leaf_count());
+    CHECK(typed->leaf_count() <= built_in->leaf_count() + built_in->leaf_count() / 1000);
+  });
+}
+
+TEST_CASE("octree.formula: every path has the scalar octree", "[property]") {
+  const char* const texts[] = {
+      "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8",
+      "x^3+y^3+z^3-x-y-z",
+      "min(x^2+y^2+z^2-1, (x-1)^2+y^2+z^2-0.5, max(abs(x)-0.9, abs(y)-0.9, abs(z)-0.2))",
+      "x^5-x*y+y^3*z-0.1*z^7+x^2*y^2",
+      "sin(3x)*cos(2y)-z*exp(-x^2)+0.1",
+      "1/(x-0.3)-y/(z^2-0.5)",
+      "sqrt(x-0.1)+log(y+0.5)-cbrt(z)",
+      "tan(2x)-atan2(y,z)",
+      "hypot(x,hypot(y,z))-0.7*abs(sin(5*atan2(y,x)))",
+      "pow(abs(x)+0.1,y)-z",
+      "acos(x)-asin(y)+atanh(z)-tanh(x*y)",
+      "floor(3x)/2-y*z+sech(x)-csch(y)",
+      "rootn(x,3)-rootn(y+0.5,4)+z^-3/9-x^40",
+      "difference(x^2+y^2+z^2-1, x-0.25*y)",
+  };
+  const box domain{{-1.25, -1, -1.5}, {1, 1.5, 1.25}};
+  for (const char* text : texts) {
+    INFO(text);
+    const auto f = formula::parse(text);
+    REQUIRE(f);
+    const auto scalar = voxelize(f->surface(), domain, 5);
+    REQUIRE(scalar);
+    CHECK(scalar->leaf_count() > 20);
+    CHECK(scalar->leaf_count() < 15000);
+    on_each_path([&](batch::path p) {
+      const auto lanes = voxelize_in_lanes(f->surface(), domain, 5, p);
+      REQUIRE(lanes);
+      CHECK(equal(*scalar, *lanes));
+    });
+  }
+}
+
+TEST_CASE("octree.formula: first hits are the built-in ones, on every path and lazily",
+          "[property]") {
+  scenes::for_each([](const auto& scene) {
+    const formula text = formula_of(scene);
+    const formula_surface f = text.surface();
+    constexpr int level = 30;
+    const auto octree = voxelize_in_lanes(scene.surface, scene.domain(), 7);
+    const auto typed = voxelize_in_lanes(f, scene.domain(), 7);
+    REQUIRE(octree);
+    REQUIRE(typed);
+    const auto expected_hits = surface_traversal<std::decay_t<decltype(scene.surface)>>::make(
+        scene.surface, scene.domain(), *octree, level);
+    const auto scalar = surface_traversal<formula_surface>::make(f, scene.domain(), *typed, level);
+    REQUIRE(scalar);
+    int hits = 0, different = 0, unequal = 0;
+    for (int j = 5; j < 512; j += 23)
+      for (int i = 3; i < 512; i += 23) {
+        const ray r = scene.pixel(i, j);
+        const surface_hit a = expected_hits->first_hit(r), b = scalar->first_hit(r);
+        hits += b.outcome == verdict::hit;
+        different += a.outcome != b.outcome ||
+                     (a.outcome == verdict::hit && (a.t_far < b.t_near || b.t_far < a.t_near));
+        on_each_path([&](batch::path p) {
+          const auto lanes =
+              lane_traversal<formula_surface>::make(f, scene.domain(), *typed, level, p);
+          REQUIRE(lanes);
+          const surface_hit c = lanes->first_hit(r);
+          unequal += c.outcome != b.outcome || !(c.t_near == b.t_near) || !(c.t_far == b.t_far);
+        });
+      }
+    CHECK(hits > 100);
+    CHECK(different == 0);
+    CHECK(unequal == 0);
+  });
+}
