@@ -8,8 +8,8 @@ namespace {
 
 template <class Surface>
 expected<std::unique_ptr<caster>> make_caster(const octree::box& domain, int octree_level,
-                                              int levels) {
-  auto made = lane_caster<Surface>::make(Surface{}, domain, octree_level, levels);
+                                              int levels, method by) {
+  auto made = lane_caster<Surface>::make(Surface{}, domain, octree_level, levels, by);
   if (!made)
     return unexpected{made.reason()};
   return std::unique_ptr<caster>(*std::move(made));
@@ -17,7 +17,8 @@ expected<std::unique_ptr<caster>> make_caster(const octree::box& domain, int oct
 
 struct row {
   scene what;
-  expected<std::unique_ptr<caster>> (*make)(const octree::box&, int octree_level, int levels);
+  expected<std::unique_ptr<caster>> (*make)(const octree::box&, int octree_level, int levels,
+                                            method by);
 };
 
 template <class Surface>
@@ -57,10 +58,11 @@ std::span<const row> rows() {
 
 } // namespace
 
-expected<std::unique_ptr<caster>> prepare_built_in(const scene& s, int octree_level, int levels) {
+expected<std::unique_ptr<caster>> prepare_built_in(const scene& s, int octree_level, int levels,
+                                                   method by) {
   for (const row& r : rows())
     if (r.what.built_in == s.built_in)
-      return r.make(s.domain, octree_level, levels);
+      return r.make(s.domain, octree_level, levels, by);
   return unexpected{"there is no surface '" + s.built_in + "'; there are " + scene_names()};
 }
 

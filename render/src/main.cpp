@@ -23,7 +23,7 @@ constexpr std::size_t largest_scene_file = 16 << 20;
 
 struct request {
   std::string scene_name, formula, domain, again; ///< the scene: by one of the first two, or again
-  std::string mode = "cast", size = "512", crop;
+  std::string mode = "cast", method, size = "512", crop;
   picture_settings settings;
   int threads = 0;
   std::string output;
@@ -151,9 +151,12 @@ void print_summary(const request& r, const scene& s, const caster& work, double 
                    const rendering& result) {
   const tally& c = result.counts;
   const double rate = result.seconds > 0 ? static_cast<double>(c.rays()) / result.seconds : 0;
+  const bool descends = r.settings.by == method::descent;
+  const char* const by_name = descends ? "descent" : "certified";
   if (r.json) {
     nlohmann::ordered_json line = {{"scene", s.name},
                                    {"mode", r.settings.how == mode::trace ? "trace" : "cast"},
+                                   {"method", by_name},
                                    {"levels", r.settings.levels},
                                    {"octree_level", r.settings.octree_level},
                                    {"size", result.whole.width},
@@ -171,18 +174,23 @@ void print_summary(const request& r, const scene& s, const caster& work, double 
     fmt::print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
     return;
   }
-  fmt::print("{} {}x{} NL {}: {} rays in {:.2f} s, {}rays/s, {} hits, {} misses, {} undecided, "
-             "{:.1f} octants a ray; octree of {} leaves in {:.2f} s; {}\n",
-             s.name, result.whole.width, result.whole.height, r.settings.levels, c.rays(),
-             result.seconds, three_digits(rate), c.hits, c.misses, c.undecided, c.octants_a_ray(),
-             work.octree_leaves(), octree_seconds, r.output);
+  fmt::print("{} {}x{} {}: {} rays in {:.2f} s, {}rays/s, {} hits, {} misses, {} undecided, "
+             "{:.1f} {} a ray; {}{}\n",
+             s.name, result.whole.width, result.whole.height,
+             descends ? fmt::format("NL {}", r.settings.levels) : by_name, c.rays(), result.seconds,
+             three_digits(rate), c.hits, c.misses, c.undecided, c.octants_a_ray(),
+             descends ? "octants" : "steps",
+             descends ? fmt::format("octree of {} leaves in {:.2f} s; ", work.octree_leaves(),
+                                    octree_seconds)
+                      : "",
+             r.output);
 }
 
 int render_to_file(const request& r, const scene& s) {
   const picture_settings& how = r.settings;
   const file_format format = *format_of(r.output);
   const auto start = std::chrono::steady_clock::now();
-  auto work = prepare(s, std::min(how.octree_level, how.levels), how.levels);
+  auto work = prepare(s, std::min(how.octree_level, how.levels), how.levels, how.by);
   if (!work)
     return complain(bad_input, work.reason());
   const double octree_seconds =
@@ -233,6 +241,11 @@ void declare(CLI::App& app, request& r) {
                                    "cast: light only; trace: shadows and 5 levels of reflection")
                         ->check(CLI::IsMember({"cast", "trace"}))
                         ->capture_default_str();
+  const auto method =
+      app.add_option("--method", r.method,
+                     "certified: along the ray, to the precision of doubles; descent: to octants\n"
+                     "of level NL. certified, unless --levels or --octree-level is given")
+          ->check(CLI::IsMember({"certified", "descent"}));
   const auto levels =
       app.add_option("--levels", r.settings.levels, "NL, the levels of the descent, 1 to 53")
           ->capture_default_str();
@@ -247,7 +260,7 @@ void declare(CLI::App& app, request& r) {
                                   "Rays a pixel, a square number up to 256; verdicts and layers\n"
                                   "are those of the pixel's centre")
                        ->capture_default_str();
-  for (CLI::Option* other : {mode, levels, octree_level, size, crop, spp})
+  for (CLI::Option* other : {mode, method, levels, octree_level, size, crop, spp})
     again->excludes(other);
   app.add_option("--threads", r.threads, "0: one a core; the picture is the same for any number")
       ->capture_default_str();
@@ -281,6 +294,10 @@ int main(int argc, char** argv) {
       return app.exit(e);
     return complain(bad_input, std::string(e.what()) + " (--help shows the options)");
   }
+  const bool of_descent = app.count("--levels") + app.count("--octree-level") != 0;
+  if (of_descent && r.method == "certified")
+    return complain(bad_input, "--levels and --octree-level are of --method descent");
+  r.settings.by = of_descent || r.method == "descent" ? method::descent : method::certified;
   try {
     const auto s = understand(r);
     if (!s)

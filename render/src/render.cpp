@@ -235,9 +235,9 @@ picture to_picture(const rendering& result) {
   const window& part = result.part;
   picture image{part.size.width,    part.size.height,   {}, {}, part.column, part.row,
                 result.whole.width, result.whole.height};
-  const auto add = [&image](const char* name, const auto& all, const auto& value_of) {
+  const auto add = [&image](std::string name, const auto& all, const auto& value_of) {
     channel& c = image.channels.emplace_back();
-    c.name = name;
+    c.name = std::move(name);
     c.values.reserve(all.size());
     for (const auto& one : all)
       c.values.push_back(static_cast<float>(value_of(one)));

@@ -74,6 +74,7 @@ std::string picture_settings::objection() const {
 
 std::string picture_settings::text() const {
   nlohmann::ordered_json j = {{"mode", how == mode::trace ? "trace" : "cast"},
+                              {"method", by == method::certified ? "certified" : "descent"},
                               {"levels", levels},
                               {"octree_level", octree_level},
                               {"size", {size.width, size.height}},
@@ -91,6 +92,10 @@ expected<picture_settings> picture_settings::from(std::string_view text) {
     if (how != "cast" && how != "trace")
       return unexpected{"its mode is unknown"};
     s.how = how == "trace" ? mode::trace : mode::cast;
+    const auto by = j.value("method", "descent"); // pictures of before there was another
+    if (by != "descent" && by != "certified")
+      return unexpected{"its method is unknown"};
+    s.by = by == "certified" ? method::certified : method::descent;
     s.levels = j.at("levels").get<int>();
     s.octree_level = j.at("octree_level").get<int>();
     s.size = {j.at("size").at(0).get<int>(), j.at("size").at(1).get<int>()};

@@ -9,6 +9,7 @@ namespace graze::render {
 /// All on which the bytes of a picture depend, beside the scene and the version.
 struct picture_settings {
   mode how = mode::cast;
+  method by = method::certified;
   int levels = 30;
   int octree_level = 9;
   extent size = 512;

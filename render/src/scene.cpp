@@ -90,14 +90,16 @@ private:
 expected<std::unique_ptr<lane_caster<formula_surface>>> make_lane_caster(const formula_surface& f,
                                                                          const octree::box& domain,
                                                                          int octree_level,
-                                                                         int levels) {
+                                                                         int levels, method by) {
   constexpr int coarse_level = 6;
   constexpr std::uint64_t most_coarse_leaves = 1 << 16; // of 2^18
-  auto coarse =
-      lane_caster<formula_surface>::make(f, domain, std::min(octree_level, coarse_level), levels);
+  if (by == method::certified)
+    return lane_caster<formula_surface>::make(f, domain, octree_level, levels, by);
+  auto coarse = lane_caster<formula_surface>::make(f, domain, std::min(octree_level, coarse_level),
+                                                   levels, by);
   if (!coarse || octree_level <= coarse_level || (*coarse)->octree_leaves() > most_coarse_leaves)
     return coarse;
-  return lane_caster<formula_surface>::make(f, domain, octree_level, levels);
+  return lane_caster<formula_surface>::make(f, domain, octree_level, levels, by);
 }
 
 expected<compiled> compile(const scene& s) {
@@ -149,17 +151,17 @@ std::string formula_of(const scene& s) {
   return text_of(s.shape, s.objects);
 }
 
-expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels) {
+expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels, method by) {
   if (const std::string why = objection_to(s.domain); !why.empty())
     return unexpected{why};
   if (!s.built_in.empty())
-    return prepare_built_in(s, octree_level, levels);
+    return prepare_built_in(s, octree_level, levels, by);
   auto text = compile(s);
   if (!text)
     return unexpected{text.reason()};
   if (const std::string why = objection_to(text->whole.surface(), s.domain); !why.empty())
     return unexpected{why};
-  auto work = make_lane_caster(text->whole.surface(), s.domain, octree_level, levels);
+  auto work = make_lane_caster(text->whole.surface(), s.domain, octree_level, levels, by);
   if (!work)
     return unexpected{work.reason()};
   return std::unique_ptr<caster>(

@@ -16,7 +16,7 @@
 
 namespace graze::render {
 
-/// The ray/surface work of one scene at one NL, whatever the type of its surface. Safe to be used
+/// The ray/surface work of one scene, whatever the type of its surface. Safe to be used
 /// by several threads at once. The virtual call is once a batch of rays.
 class caster {
 public:
@@ -33,7 +33,7 @@ public:
                       std::span<departure> departures) const = 0;
   /// Which of the scene's objects the surface belongs to near `point`.
   virtual std::size_t object_at(const vec3& point) const = 0;
-  /// Leaves of the octree in which the surface may be.
+  /// Leaves of the octree in which the surface may be; 0 where there is none.
   virtual std::uint64_t octree_leaves() const = 0;
 };
 
@@ -64,9 +64,17 @@ struct scene {
 };
 inline constexpr std::size_t most_lights = 64, most_objects = 1000;
 
-/// Makes the octree and the traversal. Refuses, with the reason, levels outside of 1..53, formulas
-/// that do not parse, and a scene of which it is proven that there is no surface in the domain.
-expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels);
+/// How a ray's first hit is found.
+enum class method : std::uint8_t {
+  descent,   ///< down to the octants of level NL, the paper's way
+  certified, ///< along the ray, to the precision of doubles; without octree and levels
+};
+
+/// Makes the octree, if the method has one, and the traversal. Refuses, with the reason, levels
+/// outside of 1..53, formulas that do not parse, and a scene of which it is proven that there is no
+/// surface in the domain.
+expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels,
+                                          method by = method::descent);
 
 /// f = 0 is the surface of the whole: min for a union, max for an intersection.
 std::string formula_of(const scene& s);
