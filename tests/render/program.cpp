@@ -26,6 +26,31 @@ TEST_CASE("graze-render: a picture and a line with rays/s, hits and octants a ra
   CHECK(back->height == 64);
 }
 
+TEST_CASE("graze-render: --method is certified unless the descent's levels are given", "[unit]") {
+  const scratch dir;
+  const auto found = [&](const std::string& options) {
+    const auto o = call(GRAZE_RENDER, "--scene tanglecube --size 64 --json " + options + " -o " +
+                                          (dir / "a.png"));
+    INFO(options << ": " << o.err);
+    REQUIRE(o.code == 0);
+    return nlohmann::json::parse(o.out);
+  };
+  const auto certified = found(""), descent = found("--method descent --octree-level 6");
+  CHECK(certified["method"] == "certified");
+  CHECK(found("--method certified")["method"] == "certified");
+  CHECK(descent["method"] == "descent");
+  CHECK(found("--levels 20")["method"] == "descent");
+  CHECK(found("--octree-level 5")["method"] == "descent");
+  CHECK(certified["octree_leaves"] == 0);
+  CHECK(descent["octree_leaves"] > 0);
+  CHECK(certified["hits"] == descent["hits"]);
+  CHECK(certified["undecided"] == 0);
+  CHECK(certified["octants_per_ray"] < descent["octants_per_ray"]);
+  const auto line = call(GRAZE_RENDER, "--scene spheres --size 16 -o " + (dir / "a.png")).out;
+  CHECK(line.find("certified") != std::string::npos);
+  CHECK(line.find("steps a ray") != std::string::npos);
+}
+
 TEST_CASE("graze-render: --json prints one object, whose counts add up", "[unit]") {
   const scratch dir;
   const auto o =
@@ -58,6 +83,8 @@ TEST_CASE("graze-render: bad input is one line, exit code 2, and no file", "[uni
   refused(dir, "--scene tanglecube --crop 1,2,3" + to, "--crop");
   refused(dir, "--scene tanglecube --spp 3" + to, "--spp");
   refused(dir, "--scene tanglecube --mode draw" + to, "--mode");
+  refused(dir, "--scene tanglecube --method guess" + to, "--method");
+  refused(dir, "--scene tanglecube --method certified --levels 30" + to, "--method descent");
   refused(dir, "--scene tanglecube --formula x" + to, "one of --scene, --formula, --again");
   refused(dir, "--again /etc/passwd" + to, "/etc/passwd");
 }
@@ -101,11 +128,14 @@ TEST_CASE("graze-render: scene files, and errors that name the key", "[unit]") {
 TEST_CASE("graze-render: --again gives the same bytes, crops and samples included", "[unit]") {
   const scratch dir;
   const char* const what =
-      GENERATE("--scene tanglecube --mode trace --size 60x40 --crop 10,5,37,33 --spp 4 --levels 35",
-               "--formula 'max(x^2 + y^2 + z^2 - 1, -abs(x) + 1/3)' --domain=-1.5,1.25 --size 40");
+      GENERATE("--scene tanglecube --mode trace --size 60x40 --crop 10,5,37,33 --spp 4 --levels 35 "
+               "--octree-level 6",
+               "--formula 'max(x^2 + y^2 + z^2 - 1, -abs(x) + 1/3)' --domain=-1.5,1.25 --size 40 "
+               "--octree-level 6",
+               "--scene 'asterisk(3,4)' --mode trace --method certified --size 40");
   for (const char* extension : {".exr", ".png"}) {
     const std::string first = (dir / "a") + extension, second = (dir / "b") + extension;
-    REQUIRE(call(GRAZE_RENDER, what + (" --octree-level 6 --threads 1 -o " + first)).code == 0);
+    REQUIRE(call(GRAZE_RENDER, what + (" --threads 1 -o " + first)).code == 0);
     const auto o = call(GRAZE_RENDER, "--again " + first + " --threads 3 -o " + second);
     INFO(o.err);
     REQUIRE(o.code == 0);

@@ -23,9 +23,9 @@ std::array<mpq_class, 3> exact_point(const octree::ray& r, const mpq_class& t) {
 }
 
 /// Every 8th hit of the scene, its departure, and the rays from there.
-template <class F> void check(const char* name, int levels) {
+template <class F> void check(const char* name, int levels, method by) {
   const scene& s = *find_scene(name);
-  const auto work = prepare(s, 7, levels);
+  const auto work = prepare(s, 7, levels, by);
   REQUIRE(work);
   int departures = 0, secondary = 0, undecided = 0;
   for (int row = 1; row < 512; row += 12)
@@ -101,9 +101,13 @@ struct nothing {
 
 TEST_CASE("render.secondary: rays begin on the seen side, as near as told, and are judged exactly",
           "[mpfr]") {
-  const int levels = GENERATE(30, 50);
-  check<octree::tanglecube>("tanglecube", levels);
-  check<octree::quartdef>("quartdef", levels);
+  const auto by = GENERATE(method::descent, method::certified);
+  for (const int levels : {30, 50}) {
+    check<octree::tanglecube>("tanglecube", levels, by);
+    check<octree::quartdef>("quartdef", levels, by);
+    if (by == method::certified)
+      break; // it has no levels
+  }
 }
 
 TEST_CASE("render.secondary: no ray that leaves a ball outwards meets it, at any angle", "[unit]") {
