@@ -71,6 +71,13 @@ expected<std::vector<unsigned char>> encode(const picture& image, file_format fo
   const bool png = format == file_format::png;
   const auto type = png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
   OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(planes.size()), type);
+  if (!png) {
+    spec.x = image.left;
+    spec.y = image.top;
+    spec.full_x = spec.full_y = 0;
+    spec.full_width = image.full_width != 0 ? image.full_width : image.width;
+    spec.full_height = image.full_height != 0 ? image.full_height : image.height;
+  }
   spec.channelnames.clear();
   for (const channel* c : planes)
     spec.channelnames.push_back(c->name);
@@ -103,7 +110,8 @@ expected<picture> read_picture(const std::filesystem::path& file) {
   if (!reader)
     return failure("cannot read", OIIO::geterror());
   const OIIO::ImageSpec& spec = reader->spec();
-  picture result{spec.width, spec.height, {}, {}};
+  picture result{spec.width,      spec.height,     {}, {}, spec.x, spec.y,
+                 spec.full_width, spec.full_height};
   const std::size_t pixels = spec.image_pixels();
   const std::size_t count = static_cast<std::size_t>(spec.nchannels);
   std::vector<float> values(pixels * count);

@@ -1,24 +1,30 @@
-// graze-render: a picture of an implicit surface, one ray a pixel through the sound traversal.
+// graze-render: a picture of an implicit surface, each ray through the sound traversal.
 #include "program.hpp"
 #include "progress.hpp"
+#include "request.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fmt/format.h>
+#include <fstream>
+#include <graze/octree_formula.hpp>
 #include <graze/render/atomic_file.hpp>
-#include <graze/render/render.hpp>
+#include <graze/render/scene_text.hpp>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 namespace {
 using namespace graze::render;
+using graze::expected, graze::unexpected;
+constexpr const char* software = "graze-render " GRAZE_VERSION;
+constexpr std::size_t largest_scene_file = 16 << 20;
 
 struct request {
-  std::string scene_name;
-  int levels = 30;
-  int octree_level = 9;
-  int size = 512;
+  std::string scene_name, formula, domain, again; ///< the scene: by one of the first two, or again
+  std::string mode = "cast", method, size = "512", crop;
+  picture_settings settings;
   int threads = 0;
   std::string output;
   bool progress = false;
@@ -30,133 +36,257 @@ int complain(exit_code code, const std::string& why) {
   return code;
 }
 
-/// The reason why this cannot be done, or nothing. Asked before any work.
-std::string objection(const request& r) {
-  const auto outside = [](const char* name, int value, int least, int most) {
-    return fmt::format("{} must be {} to {}, not {}", name, least, most, value);
-  };
-  if (find_scene(r.scene_name) == nullptr)
-    return fmt::format("unknown scene '{}'; there are {}", r.scene_name, scene_names());
-  constexpr int deepest = graze::octree::max_level;
-  if (r.levels < 1 || r.levels > deepest)
-    return outside("--levels", r.levels, 1, deepest);
-  if (r.octree_level < 1 || r.octree_level > 12)
-    return outside("--octree-level", r.octree_level, 1, 12);
-  if (r.size < 1 || r.size > largest_size)
-    return outside("--size", r.size, 1, largest_size);
-  if (r.threads < 0 || r.threads > 1024)
-    return outside("--threads", r.threads, 0, 1024);
-  if (const auto format = format_of(r.output); !format)
-    return "the output " + format.reason();
-  return why_not_writable(r.output);
+expected<scene> scene_in_file(const std::string& name) {
+  std::ifstream file(name, std::ios::binary);
+  std::stringstream text;
+  if (std::error_code error; std::filesystem::is_directory(name, error) || !file)
+    return unexpected{fmt::format("cannot read the scene '{}'", name)};
+  if (std::error_code error; std::filesystem::file_size(name, error) > largest_scene_file)
+    return unexpected{fmt::format("the scene '{}' is too large", name)};
+  text << file.rdbuf();
+  auto found = scene_from(text.str());
+  if (!found)
+    return unexpected{fmt::format("{}: {}", name, found.reason())};
+  return found;
 }
 
+expected<scene> scene_of(const std::string& formula, const std::string& domain) {
+  if (const auto parsed = graze::octree::formula::parse(formula); !parsed)
+    return unexpected{"--formula: " + parsed.reason()};
+  const auto box = domain_from(domain);
+  if (!box)
+    return unexpected{"--domain: " + box.reason()};
+  return scene{"formula",
+               "",
+               *box,
+               fitting_camera(*box),
+               fitting_lights(*box),
+               {{"surface", formula, material{default_body}}},
+               {}};
+}
+
+/// The scene and the settings that a picture tells.
+expected<scene> scene_of_picture(const std::string& file, picture_settings& settings) {
+  const auto image = read_picture(file);
+  if (!image)
+    return unexpected{fmt::format("'{}' {}", file, image.reason())};
+  const auto told = [&](const char* key) -> std::string {
+    for (const auto& [name, text] : image->metadata)
+      if (name == key)
+        return text;
+    return {};
+  };
+  const std::string text = told("graze:scene");
+  if (text.empty())
+    return unexpected{fmt::format("'{}' tells of no scene: graze-render has not made it", file)};
+  auto s = scene_from(text);
+  auto how = picture_settings::from(told("graze:settings"));
+  if (!s || !how)
+    return unexpected{fmt::format("'{}': {}", file, s ? how.reason() : s.reason())};
+  settings = *how;
+  if (const std::string by = told("Software"); by != software)
+    fmt::print(stderr, "graze-render: '{}' was made by {}: the bytes may differ\n", file, by);
+  return s;
+}
+
+/// The scene and, in r.settings, how it is rendered; or the reason why that cannot be done. Asked
+/// before any work.
+expected<scene> understand(request& r) {
+  const int given = int{!r.scene_name.empty()} + int{!r.formula.empty()} + int{!r.again.empty()};
+  if (given != 1)
+    return unexpected{"one of --scene, --formula, --again is needed (--help shows the options)"};
+  if (r.threads < 0 || r.threads > 1024)
+    return unexpected{fmt::format("--threads must be 0 to 1024, not {}", r.threads)};
+  const auto size = extent_from(r.size);
+  if (!size)
+    return unexpected{size.reason()};
+  r.settings.size = *size;
+  r.settings.how = r.mode == "trace" ? mode::trace : mode::cast;
+  if (!r.crop.empty()) {
+    const auto crop = window_from(r.crop);
+    if (!crop)
+      return unexpected{crop.reason()};
+    r.settings.crop = *crop;
+  }
+  if (const std::string why = r.settings.objection(); !why.empty())
+    return unexpected{why};
+  if (const auto format = format_of(r.output); !format)
+    return unexpected{"the output " + format.reason()};
+  if (const std::string why = why_not_writable(r.output); !why.empty())
+    return unexpected{why};
+  if (!r.again.empty())
+    return scene_of_picture(r.again, r.settings);
+  if (!r.formula.empty())
+    return scene_of(r.formula, r.domain);
+  if (const scene* s = find_scene(r.scene_name); s != nullptr)
+    return *s;
+  if (r.scene_name.ends_with(".json"))
+    return scene_in_file(r.scene_name);
+  return unexpected{fmt::format("unknown scene '{}'; there are {}, and files that end in .json",
+                                r.scene_name, scene_names())};
+}
+
+nlohmann::ordered_json counts_of(const tally& c) {
+  return {{"pixels", c.pixels},
+          {"hits", c.hits},
+          {"misses", c.misses},
+          {"undecided", c.undecided},
+          {"rays", c.rays()},
+          {"shadow_rays", c.shadow_rays},
+          {"reflected_rays", c.reflected_rays},
+          {"secondary_undecided", c.secondary_undecided},
+          {"longest_shift", c.longest_shift}};
+}
+
+/// Nothing of it depends on the time, the machine, or the number of threads.
 void describe(picture& image, const request& r, const scene& s, const rendering& result) {
-  image.metadata = {{"Software", "graze-render " GRAZE_VERSION},
-                    {"graze:scene", s.name},
-                    {"graze:formula", s.formula},
-                    {"graze:levels", std::to_string(r.levels)},
-                    {"graze:octree_level", std::to_string(r.octree_level)},
-                    {"graze:hits", std::to_string(result.counts.hits)},
-                    {"graze:undecided", std::to_string(result.counts.undecided)},
+  image.metadata = {{"Software", software},
+                    {"graze:scene", text_of(s)},
+                    {"graze:settings", r.settings.text()},
+                    {"graze:counts", counts_of(result.counts).dump()},
                     {"graze:complete", result.complete ? "yes" : "no"}};
 }
 
-void print_summary(const request& r, const caster& work, double octree_seconds,
+void print_summary(const request& r, const scene& s, const caster& work, double octree_seconds,
                    const rendering& result) {
   const tally& c = result.counts;
-  const double rate = result.seconds > 0 ? static_cast<double>(c.rays) / result.seconds : 0;
+  const double rate = result.seconds > 0 ? static_cast<double>(c.rays()) / result.seconds : 0;
+  const bool descends = r.settings.by == method::descent;
+  const char* const by_name = descends ? "descent" : "certified";
   if (r.json) {
-    const nlohmann::ordered_json line = {{"scene", r.scene_name},
-                                         {"levels", r.levels},
-                                         {"octree_level", r.octree_level},
-                                         {"size", r.size},
-                                         {"threads", r.threads},
-                                         {"output", r.output},
-                                         {"complete", result.complete},
-                                         {"rays", c.rays},
-                                         {"hits", c.hits},
-                                         {"misses", c.misses},
-                                         {"undecided", c.undecided},
-                                         {"octants_per_ray", c.octants_a_ray()},
-                                         {"octree_leaves", work.octree_leaves()},
-                                         {"octree_seconds", octree_seconds},
-                                         {"seconds", result.seconds},
-                                         {"rays_per_second", rate}};
+    nlohmann::ordered_json line = {{"scene", s.name},
+                                   {"mode", r.settings.how == mode::trace ? "trace" : "cast"},
+                                   {"method", by_name},
+                                   {"levels", r.settings.levels},
+                                   {"octree_level", r.settings.octree_level},
+                                   {"size", result.whole.width},
+                                   {"width", result.whole.width},
+                                   {"height", result.whole.height},
+                                   {"threads", r.threads},
+                                   {"output", r.output},
+                                   {"complete", result.complete}};
+    line.update(counts_of(c));
+    line.update({{"octants_per_ray", c.octants_a_ray()},
+                 {"octree_leaves", work.octree_leaves()},
+                 {"octree_seconds", octree_seconds},
+                 {"seconds", result.seconds},
+                 {"rays_per_second", rate}});
     fmt::print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
     return;
   }
-  fmt::print("{} {}x{} NL {}: {} rays in {:.2f} s, {}rays/s, {} hits, {} misses, {} undecided, "
-             "{:.1f} octants a ray; octree of {} leaves in {:.2f} s; {}\n",
-             r.scene_name, r.size, r.size, r.levels, c.rays, result.seconds, three_digits(rate),
-             c.hits, c.misses, c.undecided, c.octants_a_ray(), work.octree_leaves(), octree_seconds,
+  fmt::print("{} {}x{} {}: {} rays in {:.2f} s, {}rays/s, {} hits, {} misses, {} undecided, "
+             "{:.1f} {} a ray; {}{}\n",
+             s.name, result.whole.width, result.whole.height,
+             descends ? fmt::format("NL {}", r.settings.levels) : by_name, c.rays(), result.seconds,
+             three_digits(rate), c.hits, c.misses, c.undecided, c.octants_a_ray(),
+             descends ? "octants" : "steps",
+             descends ? fmt::format("octree of {} leaves in {:.2f} s; ", work.octree_leaves(),
+                                    octree_seconds)
+                      : "",
              r.output);
 }
 
-int render_to_file(const request& r) {
-  const scene& s = *find_scene(r.scene_name);
+int render_to_file(const request& r, const scene& s) {
+  const picture_settings& how = r.settings;
+  const file_format format = *format_of(r.output);
   const auto start = std::chrono::steady_clock::now();
-  auto work = s.prepare(s, std::min(r.octree_level, r.levels), r.levels);
+  auto work = prepare(s, std::min(how.octree_level, how.levels), how.levels, how.by);
   if (!work)
     return complain(bad_input, work.reason());
   const double octree_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   progress_line line(r.progress ? progress_line::mode::always : progress_line::mode::automatic);
-  const rendering result = cast(s, **work, {r.size, static_cast<unsigned>(r.threads)}, &stop_wanted,
-                                [&](std::uint64_t done_rays, std::uint64_t rays, double seconds) {
-                                  line.show(done_rays, rays, seconds);
-                                });
+  const settings loop = {how.size, static_cast<unsigned>(r.threads), how.how, side_of(how.spp),
+                         how.crop, format == file_format::exr};
+  const rendering result =
+      render_picture(s, **work, loop, &stop_wanted,
+                     [&](std::uint64_t done_pixels, std::uint64_t pixels, double seconds) {
+                       line.show(done_pixels, pixels, seconds);
+                     });
   line.clear();
-  if (result.counts.rays == 0)
+  if (result.counts.pixels == 0)
     return complain(interrupted, "interrupted before the first tile; nothing written");
 
   picture image = to_picture(result);
   describe(image, r, s, result);
-  const auto bytes = encode(image, *format_of(r.output));
+  const auto bytes = encode(image, format);
   if (!bytes)
     return complain(failed, bytes.reason());
   const auto written = write_atomically(r.output, *bytes);
   if (!written)
     return complain(failed, written.reason());
-  print_summary(r, **work, octree_seconds, result);
+  print_summary(r, s, **work, octree_seconds, result);
   if (result.complete)
     return done;
   return complain(interrupted, fmt::format("interrupted: {} is a partial picture, {} of {} pixels",
-                                           r.output, result.counts.rays, result.pixels.size()));
+                                           r.output, result.counts.pixels, result.pixels.size()));
+}
+
+void declare(CLI::App& app, request& r) {
+  app.add_option("--scene", r.scene_name, "One of " + scene_names() + ",\nor a .json file");
+  app.add_option("--formula", r.formula, "The surface f = 0, such as \"x^2 + y^2 + z^2 - 1\"");
+  app.add_option("--domain", r.domain,
+                 "Of --formula: lo,hi for all axes, or x0,x1,y0,y1,z0,z1 (as --domain=-1,1)")
+      ->capture_default_str();
+  const auto again =
+      app.add_option("--again", r.again,
+                     "A picture of graze-render: its scene and settings once more, the same bytes");
+  app.add_option(
+         "-o,--output", r.output,
+         "The picture: .png (8-bit sRGB) or .exr (linear floats: R, G, B; Z, the distance\n"
+         "from the eye; depth.width, normal.X .Y .Z, object.id, verdict.code, steps.octants)")
+      ->required();
+  const auto mode = app.add_option("--mode", r.mode,
+                                   "cast: light only; trace: shadows and 5 levels of reflection")
+                        ->check(CLI::IsMember({"cast", "trace"}))
+                        ->capture_default_str();
+  const auto method =
+      app.add_option("--method", r.method,
+                     "certified: along the ray, to the precision of doubles; descent: to octants\n"
+                     "of level NL. certified, unless --levels or --octree-level is given")
+          ->check(CLI::IsMember({"certified", "descent"}));
+  const auto levels =
+      app.add_option("--levels", r.settings.levels, "NL, the levels of the descent, 1 to 53")
+          ->capture_default_str();
+  const auto octree_level = app.add_option("--octree-level", r.settings.octree_level,
+                                           "Depth of the stored octree, at most NL")
+                                ->capture_default_str();
+  const auto size =
+      app.add_option("--size", r.size, "Pixels a side, or WIDTHxHEIGHT")->capture_default_str();
+  const auto crop =
+      app.add_option("--crop", r.crop, "x,y,width,height: only these pixels of the picture");
+  const auto spp = app.add_option("--spp", r.settings.spp,
+                                  "Rays a pixel, a square number up to 256; verdicts and layers\n"
+                                  "are those of the pixel's centre")
+                       ->capture_default_str();
+  for (CLI::Option* other : {mode, method, levels, octree_level, size, crop, spp})
+    again->excludes(other);
+  app.add_option("--threads", r.threads, "0: one a core; the picture is the same for any number")
+      ->capture_default_str();
+  app.add_flag("--progress", r.progress, "Report progress even if stderr is not a terminal");
+  app.add_flag("--json", r.json, "The last line as a JSON object");
+  app.set_version_flag("--version", software);
+  app.footer(
+      "Undecided pixels are magenta; pixels not reached before an interrupt are black.\n"
+      "Exit codes: 0 done, 1 the picture could not be written, 2 bad input, 130 interrupted.\n\n"
+      "Examples:\n"
+      "  graze-render --scene tanglecube -o tanglecube.png\n"
+      "  graze-render --scene spheres --mode trace --levels 50 --size 1024 -o spheres.exr\n"
+      "  graze-render --formula \"x^4 + y^4 + z^4 - 1\" --domain=-1.5,1.5 --spp 4 -o cube.png\n"
+      "  graze-render --again spheres.exr -o the_same.exr");
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
   request r;
+  r.domain = "-2,2";
   CLI::App app(
       "Pictures of implicit surfaces: each pixel's ray hits, misses, or is undecided, proven by\n"
       "interval arithmetic on an octree.",
       "graze-render");
-  app.add_option("--scene", r.scene_name, "One of " + scene_names())->required();
-  app.add_option("--levels", r.levels, "NL, the levels of the descent, 1 to 53")
-      ->capture_default_str();
-  app.add_option(
-         "-o,--output", r.output,
-         "The picture: .png (8-bit sRGB) or .exr (linear float R, G, B and Z, the distance\n"
-         "from the eye)")
-      ->required();
-  app.add_option("--size", r.size, "Pixels a side")->capture_default_str();
-  app.add_option("--octree-level", r.octree_level, "Depth of the stored octree, at most NL")
-      ->capture_default_str();
-  app.add_option("--threads", r.threads, "0: one a core; the picture is the same for any number")
-      ->capture_default_str();
-  app.add_flag("--progress", r.progress, "Report progress even if stderr is not a terminal");
-  app.add_flag("--json", r.json, "The last line as a JSON object");
-  app.set_version_flag("--version", "graze-render " GRAZE_VERSION);
-  app.footer(
-      "Undecided pixels are magenta; pixels not reached before an interrupt are black.\n"
-      "Exit codes: 0 done, 1 the picture could not be written, 2 bad input, 130 interrupted.\n\n"
-      "Examples:\n"
-      "  graze-render --scene tanglecube -o tanglecube.png\n"
-      "  graze-render --scene spheres --levels 50 --size 1024 -o spheres.exr\n"
-      "  graze-render --scene holesrot --levels 30 --threads 2 --json -o holesrot.png");
+  declare(app, r);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -164,15 +294,21 @@ int main(int argc, char** argv) {
       return app.exit(e);
     return complain(bad_input, std::string(e.what()) + " (--help shows the options)");
   }
-  if (const std::string why = objection(r); !why.empty())
-    return complain(bad_input, why);
-  if (r.threads == 0)
-    r.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  listen_for_interrupts();
+  const bool of_descent = app.count("--levels") + app.count("--octree-level") != 0;
+  if (of_descent && r.method == "certified")
+    return complain(bad_input, "--levels and --octree-level are of --method descent");
+  r.settings.by = of_descent || r.method == "descent" ? method::descent : method::certified;
   try {
-    return render_to_file(r);
+    const auto s = understand(r);
+    if (!s)
+      return complain(bad_input, s.reason());
+    if (r.threads == 0)
+      r.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    listen_for_interrupts();
+    return render_to_file(r, *s);
   } catch (const std::bad_alloc&) {
-    return complain(failed, fmt::format("not enough memory for {}x{} pixels", r.size, r.size));
+    return complain(failed, fmt::format("not enough memory for {}x{} pixels", r.settings.size.width,
+                                        r.settings.size.height));
   } catch (const std::exception& e) { // threads that cannot be started
     return complain(failed, e.what());
   }

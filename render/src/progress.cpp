@@ -19,7 +19,7 @@ std::string progress_text(std::uint64_t done, std::uint64_t total, double second
   const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
   const std::string left =
       rate > 0 ? fmt::format("{:.1f} s left", static_cast<double>(total - done) / rate) : "";
-  return fmt::format("{:3.0f} %  {}rays/s  {}", 100 * part, three_digits(rate), left);
+  return fmt::format("{:3.0f} %  {}pixels/s  {}", 100 * part, three_digits(rate), left);
 }
 
 progress_line::progress_line(mode wanted)

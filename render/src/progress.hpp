@@ -5,7 +5,7 @@
 
 namespace graze::render {
 
-/// "  42 %  1.23 M rays/s  0.8 s left"
+/// "  42 %  1.23 M pixels/s  0.8 s left"
 std::string progress_text(std::uint64_t done, std::uint64_t total, double seconds);
 /// "987", "12.3 k", "1.23 M": three digits.
 std::string three_digits(double value);

@@ -1,169 +1,261 @@
 #include <graze/render/render.hpp>
 
+#include "shader.hpp"
+
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
+#include <cmath>
+#include <future>
 #include <limits>
 #include <mutex>
-#include <thread>
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
 
 namespace graze::render {
 namespace {
 
 constexpr int tile_side = 32;
 
-/// What all threads share. Each pixel depends on nothing but its own ray, so that the order in
-/// which tiles are taken cannot be seen in the result.
-class tile_loop {
+std::array<float, 3> narrow(const std::array<double, 3>& c) {
+  return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
+}
+
+/// What all threads share. Each pixel depends on nothing but its own rays, and sums of integers and
+/// greatest numbers on no order, so that the order in which tiles are taken cannot be seen.
+class tiles {
 public:
-  tile_loop(const scene& s, const caster& work, rendering& target, const std::atomic<bool>* stop)
-      : view_(s.view()), lights_(s.lights()), look_(s.look), work_(work), target_(target),
-        stop_(stop), tiles_a_row_((target.size + tile_side - 1) / tile_side) {}
+  tiles(const scene& s, const caster& work, const settings& how, rendering& target)
+      : scene_(s), work_(work), how_(how), target_(target),
+        across_((target.part.size.width + tile_side - 1) / tile_side),
+        down_((target.part.size.height + tile_side - 1) / tile_side) {}
 
-  /// Takes tiles until there are none, or until it is told to stop.
-  void run() {
+  [[nodiscard]] int count() const { return across_ * down_; }
+  [[nodiscard]] std::uint64_t pixels_done() const { return done_.load(std::memory_order_relaxed); }
+
+  void render(int tile) {
+    const window& part = target_.part;
+    const int left = tile % across_ * tile_side, top = tile / across_ * tile_side;
+    const int right = std::min(left + tile_side, part.size.width);
+    const int bottom = std::min(top + tile_side, part.size.height);
     tally counts;
-    while (!stopped()) {
-      const int tile = next_tile_.fetch_add(1, std::memory_order_relaxed);
-      if (tile >= tiles_a_row_ * tiles_a_row_)
-        break;
-      const int left = tile % tiles_a_row_ * tile_side;
-      const int top = tile / tiles_a_row_ * tile_side;
-      const std::uint64_t before = counts.rays;
-      cast_tile(left, top, counts);
-      rays_done_.fetch_add(counts.rays - before, std::memory_order_relaxed);
-    }
+    one_tile work(*this, {left, top, {right - left, bottom - top}}, counts);
+    work.run();
+    done_.fetch_add(counts.pixels, std::memory_order_relaxed);
     const std::lock_guard lock(mutex_);
-    add(counts);
-    ++finished_;
-    all_finished_.notify_one();
-  }
-
-  /// Waits until `threads` calls of run() have ended; calls tick about ten times a second.
-  template <class Tick> void wait_for(unsigned threads, Tick tick) {
-    std::unique_lock lock(mutex_);
-    while (!all_finished_.wait_for(lock, std::chrono::milliseconds(100),
-                                   [&] { return finished_ == threads; })) {
-      lock.unlock();
-      tick(rays_done_.load(std::memory_order_relaxed));
-      lock.lock();
-    }
+    target_.counts += counts;
   }
 
 private:
-  [[nodiscard]] bool stopped() const {
-    return stop_ != nullptr && stop_->load(std::memory_order_relaxed);
-  }
+  /// A tile while it is rendered; its place is relative to the rendering's part.
+  class one_tile {
+  public:
+    one_tile(const tiles& all, const window& place, tally& counts)
+        : all_(all), place_(place), counts_(counts), shader_(all.scene_, all.work_, all.how_.how),
+          sums_(place.size.count()), colours_(place.size.count()) {}
 
-  /// All rays of a tile at once: the traversal takes several in turn.
-  void cast_tile(int left, int top, tally& counts) const {
-    const int right = std::min(left + tile_side, target_.size);
-    const int bottom = std::min(top + tile_side, target_.size);
-    std::vector<octree::ray> rays;
-    rays.reserve(static_cast<std::size_t>(tile_side) * tile_side);
-    for (int row = top; row < bottom; ++row)
-      for (int column = left; column < right; ++column)
-        rays.push_back(view_.ray_through(column, row, target_.size));
-    std::vector<octree::surface_hit> hits(rays.size());
-    work_.first_hits(rays, hits, &counts.visited);
-    std::size_t k = 0;
-    for (int row = top; row < bottom; ++row)
-      for (int column = left; column < right; ++column, ++k)
-        target_.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(target_.size) +
-                       static_cast<std::size_t>(column)] = lit(rays[k], hits[k], counts);
-  }
-
-  pixel lit(const octree::ray& r, const octree::surface_hit& found, tally& counts) const {
-    ++counts.rays;
-    const vec3& d = r.direction();
-    const auto depth_at = [&](double t) {
-      return static_cast<float>(t * std::sqrt(detail::dot(d, d)));
-    };
-    switch (found.outcome) {
-    case octree::verdict::miss:
-      ++counts.misses;
-      return {narrow(background), std::numeric_limits<float>::infinity()};
-    case octree::verdict::undecided:
-      ++counts.undecided;
-      return {narrow(undecided_colour), depth_at(found.t_near)};
-    case octree::verdict::hit:
-      break;
+    void run() {
+      const int side = all_.how_.sampling;
+      for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+          const bool centre = 2 * i + 1 == side && 2 * j + 1 == side;
+          cast(side, i, j, centre);
+          shader_.look(rays_, hits_, colours_, counts_);
+          for (std::size_t k = 0; k < sums_.size(); ++k)
+            for (std::size_t c = 0; c < 3; ++c)
+              sums_[k][c] += colours_[k][c];
+          if (centre)
+            note_facts();
+        }
+      if (side % 2 == 0) {
+        cast(1, 0, 0, true);
+        note_facts();
+      }
+      for (std::size_t k = 0; k < sums_.size(); ++k) {
+        for (double& c : sums_[k])
+          c /= side * side;
+        all_.target_.pixels[at(k)].colour = narrow(sums_[k]);
+      }
+      counts_.pixels += sums_.size();
     }
-    ++counts.hits;
-    const double t = found.t_near + (found.t_far - found.t_near) / 2;
-    vec3 point;
-    for (int a = 0; a < 3; ++a)
-      point[a] = r.origin()[a] + t * d[a];
-    return {narrow(shade(look_, point, work_.gradient(point), d, lights_)), depth_at(t)};
-  }
 
-  static std::array<float, 3> narrow(const colour& c) {
-    return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
-  }
+  private:
+    /// Casts ray (i, j) of side^2 of every pixel.
+    void cast(int side, int i, int j, bool centre) {
+      const window& part = all_.target_.part;
+      const extent& whole = all_.target_.whole;
+      rays_.clear();
+      for (int row = 0; row < place_.size.height; ++row)
+        for (int column = 0; column < place_.size.width; ++column)
+          rays_.push_back(all_.scene_.view.ray_through(
+              (part.column + place_.column + column) * side + i,
+              (part.row + place_.row + row) * side + j, whole.width * side, whole.height * side));
+      hits_.resize(rays_.size());
+      counts_.camera_rays += rays_.size();
+      if (!centre || !all_.how_.facts) {
+        all_.work_.first_hits(rays_, hits_, &counts_.visited);
+        return;
+      }
+      steps_.clear(); // one by one: the same hits, and each ray's own count
+      for (std::size_t k = 0; k < rays_.size(); ++k) {
+        octree::traversal_counts own;
+        all_.work_.first_hits({&rays_[k], 1}, {&hits_[k], 1}, &own);
+        steps_.push_back(own.cells_opened);
+        counts_.visited.cells_opened += own.cells_opened;
+        counts_.visited.leaves_kept += own.leaves_kept;
+      }
+    }
 
-  void add(const tally& part) {
-    tally& sum = target_.counts;
-    sum.rays += part.rays;
-    sum.hits += part.hits;
-    sum.misses += part.misses;
-    sum.undecided += part.undecided;
-    sum.visited.cells_opened += part.visited.cells_opened;
-    sum.visited.leaves_kept += part.visited.leaves_kept;
-  }
+    void note_facts() {
+      for (std::size_t k = 0; k < rays_.size(); ++k) {
+        const octree::surface_hit& h = hits_[k];
+        const vec3& d = rays_[k].direction();
+        const double unit = std::sqrt(detail::dot(d, d));
+        constexpr float infinity = std::numeric_limits<float>::infinity();
+        float& depth = all_.target_.pixels[at(k)].depth;
+        switch (h.outcome) {
+        case octree::verdict::miss:
+          ++counts_.misses;
+          depth = infinity;
+          break;
+        case octree::verdict::undecided:
+          ++counts_.undecided;
+          depth = static_cast<float>(h.t_near * unit);
+          break;
+        case octree::verdict::hit:
+          ++counts_.hits;
+          depth = static_cast<float>(middle(h) * unit);
+          break;
+        }
+        if (!all_.how_.facts)
+          continue;
+        pixel_facts& f = all_.target_.facts[at(k)];
+        f.verdict = static_cast<int>(h.outcome);
+        f.steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(steps_[k], ~std::uint32_t{0}));
+        if (h.outcome == octree::verdict::miss)
+          continue;
+        // sqrt and products: 4 roundings, so 2^-24 more than covers them
+        f.depth_width = std::nextafter(
+            static_cast<float>((h.t_far - h.t_near) * unit * (1 + 0x1p-24)), infinity);
+        if (h.t_far == h.t_near)
+          f.depth_width = 0;
+        if (h.outcome == octree::verdict::undecided)
+          continue;
+        const vec3 point = point_at(rays_[k], middle(h));
+        f.normal = narrow(facing_normal(all_.work_.gradient(point), d));
+        f.object = static_cast<int>(all_.work_.object_at(point));
+      }
+    }
 
-  const camera view_;
-  const std::array<light, 2> lights_;
-  const material look_;
+    /// The place of the tile's pixel k in the rendering.
+    [[nodiscard]] std::size_t at(std::size_t k) const {
+      const auto width = static_cast<std::size_t>(place_.size.width);
+      const std::size_t row = static_cast<std::size_t>(place_.row) + k / width;
+      return row * static_cast<std::size_t>(all_.target_.part.size.width) +
+             static_cast<std::size_t>(place_.column) + k % width;
+    }
+
+    const tiles& all_;
+    const window place_;
+    tally& counts_;
+    shader shader_;
+    std::vector<colour> sums_, colours_;
+    std::vector<octree::ray> rays_;
+    std::vector<octree::surface_hit> hits_;
+    std::vector<std::uint64_t> steps_;
+  };
+
+  const scene& scene_;
   const caster& work_;
+  const settings& how_;
   rendering& target_;
-  const std::atomic<bool>* stop_;
-  const int tiles_a_row_;
-  std::atomic<int> next_tile_{0};
-  std::atomic<std::uint64_t> rays_done_{0};
+  const int across_, down_;
+  std::atomic<std::uint64_t> done_{0};
   std::mutex mutex_;
-  std::condition_variable all_finished_;
-  unsigned finished_ = 0;
 };
 
 } // namespace
 
-rendering cast(const scene& s, const caster& work, const settings& how,
-               const std::atomic<bool>* stop, const progress_report& report) {
+tally& tally::operator+=(const tally& part) {
+  pixels += part.pixels;
+  hits += part.hits;
+  misses += part.misses;
+  undecided += part.undecided;
+  camera_rays += part.camera_rays;
+  shadow_rays += part.shadow_rays;
+  reflected_rays += part.reflected_rays;
+  secondary_undecided += part.secondary_undecided;
+  longest_shift = std::max(longest_shift, part.longest_shift);
+  visited.cells_opened += part.visited.cells_opened;
+  visited.leaves_kept += part.visited.leaves_kept;
+  return *this;
+}
+
+rendering render_picture(const scene& s, const caster& work, const settings& how,
+                         const std::atomic<bool>* stop, const progress_report& report) {
   rendering result;
-  result.size = how.size;
-  const std::size_t count = static_cast<std::size_t>(how.size) * static_cast<std::size_t>(how.size);
-  pixel unfinished{{}, std::numeric_limits<float>::infinity()};
-  for (std::size_t c = 0; c < 3; ++c)
-    unfinished.colour[c] = static_cast<float>(unfinished_colour[c]);
-  result.pixels.assign(count, unfinished);
+  result.whole = how.size;
+  result.part = how.crop.value_or(window{0, 0, how.size});
+  const std::size_t count = result.part.size.count();
+  result.pixels.assign(count, {narrow(unfinished_colour), std::numeric_limits<float>::infinity()});
+  if (how.facts)
+    result.facts.resize(count);
 
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  tile_loop loop(s, work, result, stop);
-  std::vector<std::jthread> threads;
-  for (unsigned i = 0; i < how.threads; ++i)
-    threads.emplace_back([&loop] { loop.run(); });
-  loop.wait_for(how.threads, [&](std::uint64_t done) {
-    if (report)
-      report(done, count, elapsed());
+  tiles all(s, work, how, result);
+  std::future<void> running = std::async(std::launch::async, [&] {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, how.threads);
+    tbb::task_arena arena(static_cast<int>(how.threads));
+    arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<int>(0, all.count(), 1),
+          [&](const tbb::blocked_range<int>& range) {
+            for (int tile = range.begin(); tile < range.end(); ++tile)
+              if (stop == nullptr || !stop->load(std::memory_order_relaxed))
+                all.render(tile);
+          },
+          tbb::simple_partitioner());
+    });
   });
-  threads.clear(); // joins
+  while (running.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
+    if (report)
+      report(all.pixels_done(), count, elapsed());
+  running.get();
   result.seconds = elapsed();
-  result.complete = result.counts.rays == count;
+  result.complete = result.counts.pixels == count;
   return result;
 }
 
 picture to_picture(const rendering& result) {
-  picture image{result.size, result.size, {{"R", {}}, {"G", {}}, {"B", {}}, {"Z", {}}}, {}};
-  for (channel& c : image.channels)
-    c.values.reserve(result.pixels.size());
-  for (const pixel& p : result.pixels) {
-    for (std::size_t c = 0; c < 3; ++c)
-      image.channels[c].values.push_back(p.colour[c]);
-    image.channels[3].values.push_back(p.depth);
-  }
+  const window& part = result.part;
+  picture image{part.size.width,    part.size.height,   {}, {}, part.column, part.row,
+                result.whole.width, result.whole.height};
+  const auto add = [&image](std::string name, const auto& all, const auto& value_of) {
+    channel& c = image.channels.emplace_back();
+    c.name = std::move(name);
+    c.values.reserve(all.size());
+    for (const auto& one : all)
+      c.values.push_back(static_cast<float>(value_of(one)));
+  };
+  add("R", result.pixels, [](const pixel& p) { return p.colour[0]; });
+  add("G", result.pixels, [](const pixel& p) { return p.colour[1]; });
+  add("B", result.pixels, [](const pixel& p) { return p.colour[2]; });
+  add("Z", result.pixels, [](const pixel& p) { return p.depth; });
+  if (result.facts.empty())
+    return image;
+  using facts = pixel_facts;
+  add("depth.width", result.facts, [](const facts& f) { return f.depth_width; });
+  add("normal.X", result.facts, [](const facts& f) { return f.normal[0]; });
+  add("normal.Y", result.facts, [](const facts& f) { return f.normal[1]; });
+  add("normal.Z", result.facts, [](const facts& f) { return f.normal[2]; });
+  add("object.id", result.facts, [](const facts& f) { return f.object; });
+  add("verdict.code", result.facts, [](const facts& f) { return f.verdict; });
+  add("steps.octants", result.facts, [](const facts& f) { return f.steps; });
   return image;
 }
 

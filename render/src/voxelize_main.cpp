@@ -140,7 +140,7 @@ int voxelize_to_file(const request& r) {
     return complain(interrupted, "interrupted; nothing written");
   if (!tree)
     return complain(failed, tree.reason());
-  const std::string description = fmt::format("{}: {}", s.name, s.formula);
+  const std::string description = fmt::format("{}: {}", s.name, formula_of(s));
   const auto bytes = octree::encode_octree(*tree, description);
   if (!bytes)
     return complain(failed, bytes.reason());

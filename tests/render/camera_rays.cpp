@@ -50,16 +50,18 @@ TEST_CASE("render.camera: at other sizes a ray is within 2^-49 of the design's",
 }
 
 TEST_CASE("render.scene: the table is the design's", "[unit]") {
-  REQUIRE(scenes().size() == 4);
+  REQUIRE(scenes().size() == 6);
   const auto is = [](const char* name, double scale, double half) {
     const scene* s = find_scene(name);
     REQUIRE(s != nullptr);
-    CHECK(s->scale == scale);
+    CHECK(s->view == camera::standard(scale));
     CHECK(s->domain == graze::octree::box{{-half, -half, -half}, {half, half, half}});
   };
   is("spheres", 1.5, 2.5);
   is("quartdef", 1.125, 1.5);
   is("tanglecube", 2, 2.5);
   is("holesrot", 2, 2);
+  is("asterisk(3,4)", 0.5, 1);
+  is("asterisk(9,18)", 0.5, 1);
   CHECK(find_scene("teapot") == nullptr);
 }

@@ -26,6 +26,31 @@ TEST_CASE("graze-render: a picture and a line with rays/s, hits and octants a ra
   CHECK(back->height == 64);
 }
 
+TEST_CASE("graze-render: --method is certified unless the descent's levels are given", "[unit]") {
+  const scratch dir;
+  const auto found = [&](const std::string& options) {
+    const auto o = call(GRAZE_RENDER, "--scene tanglecube --size 64 --json " + options + " -o " +
+                                          (dir / "a.png"));
+    INFO(options << ": " << o.err);
+    REQUIRE(o.code == 0);
+    return nlohmann::json::parse(o.out);
+  };
+  const auto certified = found(""), descent = found("--method descent --octree-level 6");
+  CHECK(certified["method"] == "certified");
+  CHECK(found("--method certified")["method"] == "certified");
+  CHECK(descent["method"] == "descent");
+  CHECK(found("--levels 20")["method"] == "descent");
+  CHECK(found("--octree-level 5")["method"] == "descent");
+  CHECK(certified["octree_leaves"] == 0);
+  CHECK(descent["octree_leaves"] > 0);
+  CHECK(certified["hits"] == descent["hits"]);
+  CHECK(certified["undecided"] == 0);
+  CHECK(certified["octants_per_ray"] < descent["octants_per_ray"]);
+  const auto line = call(GRAZE_RENDER, "--scene spheres --size 16 -o " + (dir / "a.png")).out;
+  CHECK(line.find("certified") != std::string::npos);
+  CHECK(line.find("steps a ray") != std::string::npos);
+}
+
 TEST_CASE("graze-render: --json prints one object, whose counts add up", "[unit]") {
   const scratch dir;
   const auto o =
@@ -52,16 +77,105 @@ TEST_CASE("graze-render: bad input is one line, exit code 2, and no file", "[uni
   refused(dir, "--scene tanglecube --levels 30 -o " + (dir / "a.jpg"), "png");
   refused(dir, "--levels 30" + to, "--scene");
   refused(dir, "--scene tanglecube", "--output");
+  refused(dir, "--scene tanglecube --size 0x0" + to, "--size must be 1 to 16384, not 0");
+  refused(dir, "--scene tanglecube --size 9x" + to, "--size");
+  refused(dir, "--scene tanglecube --size 16x16 --crop 0,0,17,1" + to, "--crop");
+  refused(dir, "--scene tanglecube --crop 1,2,3" + to, "--crop");
+  refused(dir, "--scene tanglecube --spp 3" + to, "--spp");
+  refused(dir, "--scene tanglecube --mode draw" + to, "--mode");
+  refused(dir, "--scene tanglecube --method guess" + to, "--method");
+  refused(dir, "--scene tanglecube --method certified --levels 30" + to, "--method descent");
+  refused(dir, "--scene tanglecube --formula x" + to, "one of --scene, --formula, --again");
+  refused(dir, "--again /etc/passwd" + to, "/etc/passwd");
+}
+
+TEST_CASE("graze-render: a bad formula, an empty domain, no surface: one line, no file", "[unit]") {
+  const scratch dir;
+  const std::string to = " -o " + (dir / "a.png");
+  refused(dir, "--formula 'x^2 + (y'" + to, "--formula: column 9");
+  refused(dir, "--formula 'x^2 + q'" + to, "column 7");
+  refused(dir, "--formula '1/0 + x'" + to, "column 2: division by zero");
+  refused(dir, "--formula '1/(x*y - y*x*1.0 + sin(x)^2 + cos(x)^2 - 1)'" + to, "divi");
+  refused(dir, "--formula x --domain=2,1" + to, "the domain is empty: x from 2 to 1");
+  refused(dir, "--formula x --domain=0,1,1,1,0,1" + to, "the domain is empty: y from 1 to 1");
+  refused(dir, "--formula x --domain=0,inf" + to, "domain");
+  refused(dir, "--formula x --domain=0,q" + to, "--domain: column 3");
+  refused(dir, "--formula 'x^2 + y^2 + 1'" + to, "no surface");
+  refused(dir, "--formula 'sqrt(-1 - x^2)'" + to, "no surface");
+}
+
+TEST_CASE("graze-render: scene files, and errors that name the key", "[unit]") {
+  const scratch dir, scenes;
+  const std::string file = scenes / "s.json", to = " -o " + (dir / "a.png");
+  const auto wrong = [&](const char* text, const std::string& reason) {
+    std::ofstream(file) << text;
+    refused(dir, "--scene " + file + to, file + ": " + reason);
+  };
+  wrong("{\"formula\": \"x +\", \"domain\": [-1, 1]}", "key formula: column 4");
+  wrong("{\"formula\": \"x\",\n\"domain\": [-1 1]}", "parse error at line 2, column 15");
+  wrong("{\"domain\": [-1, 1]}", "no surface");
+  wrong("{\"objects\": [], \"domain\": [-1, 1]}", "key objects: no surface");
+  wrong("{\"formula\": \"x\", \"domain\": [1, 1]}", "key domain: the domain is empty");
+  wrong("{\"formula\": \"x\", \"domain\": [0, 1], \"lights\": [{\"position\": [0, 0, \"a\"]}]}",
+        "key lights[0].position[2]: must be a number");
+  refused(dir, "--scene " + (scenes / "none.json") + to, "cannot read the scene");
+  std::ofstream(file) << "{\"formula\": \"x^2 + y^2 + z^2 - 1\", \"domain\": [-1.5, 1.5]}";
+  const auto o = call(GRAZE_RENDER, "--scene " + file + " --size 32 --json" + to);
+  REQUIRE(o.code == 0);
+  CHECK(nlohmann::json::parse(o.out)["hits"].get<int>() > 100);
+}
+
+TEST_CASE("graze-render: --again gives the same bytes, crops and samples included", "[unit]") {
+  const scratch dir;
+  const char* const what =
+      GENERATE("--scene tanglecube --mode trace --size 60x40 --crop 10,5,37,33 --spp 4 --levels 35 "
+               "--octree-level 6",
+               "--formula 'max(x^2 + y^2 + z^2 - 1, -abs(x) + 1/3)' --domain=-1.5,1.25 --size 40 "
+               "--octree-level 6",
+               "--scene 'asterisk(3,4)' --mode trace --method certified --size 40");
+  for (const char* extension : {".exr", ".png"}) {
+    const std::string first = (dir / "a") + extension, second = (dir / "b") + extension;
+    REQUIRE(call(GRAZE_RENDER, what + (" --threads 1 -o " + first)).code == 0);
+    const auto o = call(GRAZE_RENDER, "--again " + first + " --threads 3 -o " + second);
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    CHECK(o.err.empty());
+    CHECK(support::content(first) == support::content(second));
+  }
+}
+
+TEST_CASE("graze-render: a full disk is one line, exit code 1, and no file", "[unit]") {
+  const scratch dir;
+  // write() fails beyond the limit; the limit counts for all files of the program
+  const auto o =
+      call(GRAZE_RENDER, "--scene spheres --octree-level 6 --size 200 -o " + (dir / "a.exr"),
+           "ulimit -f 8; timeout 60 ");
+  CHECK(o.code == 1);
+  CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
+  CHECK(o.err.find("cannot write") != std::string::npos);
+  CHECK(dir.empty());
+  const auto device = call(GRAZE_RENDER, "--scene spheres --octree-level 6 --size 8 -o /dev/full");
+  CHECK(device.code == 2);
 }
 
 TEST_CASE("graze-render: an interrupt leaves a valid picture or none, and says so", "[unit]") {
-  const scratch dir;
-  // One signal only: timeout would send a second to the group, which ends the program at once.
-  const auto o = call(GRAZE_RENDER, "--scene spheres --levels 50 --size 4096 -o " + (dir / "a.png"),
-                      "timeout --foreground -s INT 2 ");
-  CHECK(o.err.find("interrupted") != std::string::npos);
-  if (!dir.empty())
-    CHECK(graze::render::read_picture(dir / "a.png").has_value());
+  const scratch dir, pictures;
+  // The signal comes with the first report of progress, long before the end.
+  const std::string log = dir / "log", file = pictures / "a.png";
+  const auto o = call(
+      "sh", "-c '" + std::string(GRAZE_RENDER) +
+                " --scene spheres --levels 50 --size 2048 --spp 256 --progress -o " + file + " 2>" +
+                log + " & while ! [ -s " + log + " ]; do sleep 0.02; done; kill -INT $!; wait $!'");
+  const std::string err = support::content(log);
+  INFO(err);
+  CHECK(err.find("interrupted") != std::string::npos);
+  CHECK(o.code == 130);
+  if (!pictures.empty()) {
+    const auto part = graze::render::read_picture(file);
+    REQUIRE(part.has_value());
+    const std::pair<std::string, std::string> told = {"graze:complete", "no"};
+    CHECK(std::count(part->metadata.begin(), part->metadata.end(), told) == 1);
+  }
 }
 
 TEST_CASE("graze-render: help has examples", "[unit]") {

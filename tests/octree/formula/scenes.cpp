@@ -192,3 +192,43 @@ TEST_CASE("octree.formula: first hits are the built-in ones, on every path and l
     CHECK(unequal == 0);
   });
 }
+
+TEST_CASE("octree.formula: a ray beside a ruling is given up after as many octants on every path",
+          "[unit]") {
+  const auto f = formula::parse("x^2+y^2-z^2");
+  REQUIRE(f);
+  const box domain{{-1, -1, -1}, {1, 1, 1}};
+  const auto octree = voxelize(f->surface(), domain, 5);
+  REQUIRE(octree);
+  const auto scalar =
+      surface_traversal<formula_surface>::make(f->surface(), domain, *octree, max_level);
+  REQUIRE(scalar);
+  // outside of the cone, and so near to it that 2^24 octants and more may hold a zero
+  const ray beside = *ray::make({0.125, 0, 0.125 - 0x1p-30}, {1, 0, 1});
+  const ray across = *ray::make({0, 0, 2}, {0.25, 0, -1});
+  const ray rays[] = {beside, across, beside};
+  traversal_counts counts;
+  const surface_hit wanted = scalar->first_hit(beside, &counts), other = scalar->first_hit(across);
+  CHECK(wanted.outcome == verdict::undecided);
+  CHECK(counts.cells_opened == most_cells_opened);
+  CHECK(other.outcome == verdict::hit);
+  on_each_path([&](batch::path p) {
+    const auto lanes =
+        lane_traversal<formula_surface>::make(f->surface(), domain, *octree, max_level, p);
+    REQUIRE(lanes);
+    traversal_counts one, three;
+    surface_hit found[3];
+    const surface_hit alone = lanes->first_hit(beside, &one);
+    lanes->first_hits(rays, found, &three);
+    for (const surface_hit& h : {alone, found[0], found[2]}) {
+      CHECK(h.outcome == wanted.outcome);
+      CHECK(h.t_near == wanted.t_near);
+      CHECK(h.t_far == wanted.t_far);
+    }
+    CHECK(found[1].outcome == other.outcome);
+    CHECK(found[1].t_near == other.t_near);
+    CHECK(one.cells_opened == counts.cells_opened);
+    CHECK(one.leaves_kept == counts.leaves_kept);
+    CHECK(three.cells_opened > 2 * counts.cells_opened);
+  });
+}

@@ -44,6 +44,10 @@ public:
   template <class Visit> GRAZE_BATCH_INLINE bool step(const Visit& visit) {
     const unsigned mirror = method_.mirror();
     const typename method_type::halves h = method_.open(corner_, half_, at_);
+    if (opened_ == most_cells_opened) [[unlikely]] {
+      stopped_ = true;
+      return false;
+    }
     ++opened_;
     const unsigned present =
         depth_ < octree_.level() ? octree_.child_mask(node_, octree_.box(), 0xff) : evaluated(h);

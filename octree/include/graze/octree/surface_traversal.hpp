@@ -35,6 +35,10 @@ struct traversal_counts {
   std::uint64_t leaves_kept = 0;  ///< octants of level NL in which the ray could not be proven free
 };
 
+/// Octants opened before a ray is given up as undecided: one that keeps so near to the surface that
+/// no enclosure tells them apart, along a ruling of a cone, meets 2^level octants.
+inline constexpr std::uint64_t most_cells_opened = std::uint64_t{1} << 17;
+
 /// The octree continued below its last level by the surface's own enclosures. Models Tree; its
 /// functions are called within a scope of B.
 template <Surface F, rounding::Backend B, class Octree = sparse_octree> class continued_octree {
@@ -50,12 +54,17 @@ public:
   [[nodiscard]] node root() const { return {octree_.root(), 0}; }
   [[nodiscard]] std::uint8_t child_mask(const node& n, const cube& cell,
                                         std::uint8_t wanted) const {
+    if (++opened_ > most_cells_opened) [[unlikely]]
+      return 0;
     return n.depth < octree_.level() ? octree_.child_mask(n.index, cell, wanted)
                                      : evaluated_mask(cell, wanted);
   }
   [[nodiscard]] node child(const node& n, unsigned index) const {
     return {n.depth < octree_.level() ? octree_.child(n.index, index) : n.index, n.depth + 1};
   }
+
+  /// More were asked for than most_cells_opened.
+  [[nodiscard]] bool exhausted() const { return opened_ > most_cells_opened; }
 
 private:
   [[nodiscard]] std::uint8_t evaluated_mask(const cube& cell, std::uint8_t wanted) const {
@@ -78,6 +87,7 @@ private:
   const F& f_;
   const box& domain_;
   const Octree& octree_;
+  mutable std::uint64_t opened_ = 0; ///< the tree is one ray's
 };
 
 /// What is known of the first root while a ray is followed from octant to octant, front to back. No
@@ -206,9 +216,13 @@ template <Method M> struct surface_descent {
   static bool run(const ray& r, const F& f, const box& domain, const Octree& octree, int level,
                   const Visit& visit, std::uint64_t& cells_opened) {
     const continued_octree<F, B, Octree> tree(f, domain, octree);
-    return descend(
+    std::uint64_t opened = 0;
+    const bool stopped = descend(
         M(r), octree.box(), level, tree,
-        [&](const cube& cell, const auto&, const auto&) { return visit(cell); }, &cells_opened);
+        [&](const cube& cell, const auto&, const auto&) { return tree.exhausted() || visit(cell); },
+        &opened);
+    cells_opened += std::min(opened, most_cells_opened);
+    return stopped || tree.exhausted();
   }
   template <rounding::Backend B, Surface F>
   static content content_of(const F& f, const cube&, const box& b) {

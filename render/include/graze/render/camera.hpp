@@ -18,17 +18,28 @@ struct camera {
   /// DESIGN's camera at scale S: eye = S (3, 2, 6). Exact for every S of the six scenes.
   [[nodiscard]] static camera standard(double scale);
 
-  /// The ray through the centre of pixel (column, row), row 0 on top, of a size x size picture;
-  /// 0 <= column, row < size <= 2^15. Order of operations, each rounded to nearest, none fused:
-  ///   u = (2 column + 1 - size) / (2 size)          integers, then one division
-  ///   v = (size - 1 - 2 row) / (2 size)
+  /// The directions through the picture are far enough from 0 and from overflow for ray_through:
+  /// centre is away from the plane of right and up, the three are of like size, and all of it is
+  /// finite and between 1e-100 and 1e100 in size. Otherwise the reason.
+  [[nodiscard]] const char* objection() const;
+
+  /// The ray through the centre of pixel (column, row), row 0 on top, of a width x height picture,
+  /// 0 <= column < width, 0 <= row < height, both at most 2^20; pixels are squares, and CR and CU
+  /// span the shorter side, m pixels. Order of operations, each rounded to nearest, none fused:
+  ///   u = (2 column + 1 - width) / (2 m)          integers, then one division
+  ///   v = (height - 1 - 2 row) / (2 m)
   ///   direction[a] = (centre[a] + u * right[a]) + v * up[a]
   /// The direction is not normalized: t = 1 is the picture plane. The ray that is cast is this
-  /// double ray, whatever its distance from the ideal one. Error of the direction: 0 where size is
-  /// a power of two (u and v have at most 15 bits, the constants at most 14, so that no operation
-  /// rounds); otherwise below 2^-49 a component, which is 2 ulps of the largest component (that
-  /// along z, 4.5 < |z| < 8).
-  [[nodiscard]] octree::ray ray_through(int column, int row, int size) const;
+  /// double ray, whatever its distance from the ideal one. For the standard camera the error of the
+  /// direction is 0 where m is a power of two up to 2^14 and the picture a square (u and v have at
+  /// most 15 bits, the constants at most 14, so that no operation rounds); otherwise, for a square,
+  /// below 2^-49 a component, which is 2 ulps of the largest component (that along z,
+  /// 4.5 < |z| < 8). The direction is not 0 (objection()).
+  [[nodiscard]] octree::ray ray_through(int column, int row, int width, int height) const;
+  [[nodiscard]] octree::ray ray_through(int column, int row, int size) const {
+    return ray_through(column, row, size, size);
+  }
+  friend bool operator==(const camera&, const camera&) = default;
 };
 
 } // namespace graze::render

@@ -12,7 +12,7 @@ namespace graze::render {
 
 /// One plane of values, row by row from the top.
 struct channel {
-  std::string name; ///< "R", "G", "B", "Z"; a layer's channels will be "normal.x" and so on
+  std::string name; ///< "R", "G", "B", "Z"; of a layer "normal.X" and so on
   std::vector<float> values;
 };
 
@@ -21,7 +21,10 @@ struct picture {
   int width = 0;
   int height = 0;
   std::vector<channel> channels;
-  std::vector<std::pair<std::string, std::string>> metadata;
+  std::vector<std::pair<std::string, std::string>> metadata{};
+  /// The picture that this is a part of: its first column and row there, and the size of the whole,
+  /// 0 where this is the whole. exr keeps it, png does not.
+  int left = 0, top = 0, full_width = 0, full_height = 0;
 
   [[nodiscard]] const channel* find(const std::string& name) const;
 };

@@ -1,21 +1,22 @@
 #pragma once
-/// Scenes: a surface, its domain, a camera, lights and a material, and nothing that the picture
-/// does not need.
-#include <array>
-#include <functional>
+/// Scenes: a surface, its domain, a camera, lights and materials, and nothing that the picture does
+/// not need.
+#include <cstdint>
 #include <graze/expected.hpp>
 #include <graze/octree/box.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/render/camera.hpp>
+#include <graze/render/secondary.hpp>
 #include <graze/render/shading.hpp>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace graze::render {
 
-/// The ray/surface work of one scene at one NL, whatever the type of its surface. Safe to be used
+/// The ray/surface work of one scene, whatever the type of its surface. Safe to be used
 /// by several threads at once. The virtual call is once a batch of rays.
 class caster {
 public:
@@ -26,23 +27,65 @@ public:
                           octree::traversal_counts* counts) const = 0;
   /// The surface's gradient near `point`, rounded to nearest; for light only. 0 at singular points.
   virtual vec3 gradient(const vec3& point) const = 0;
-  /// Leaves of the octree in which the surface may be.
+  /// Where rays leave the hits that are proven (secondary.hpp); the others are passed over. As many
+  /// departures as hits.
+  virtual void depart(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
+                      std::span<departure> departures) const = 0;
+  /// Which of the scene's objects the surface belongs to near `point`.
+  virtual std::size_t object_at(const vec3& point) const = 0;
+  /// Leaves of the octree in which the surface may be; 0 where there is none.
   virtual std::uint64_t octree_leaves() const = 0;
+};
+
+/// A part of the surface that has its own material.
+struct object {
+  std::string name;
+  std::string formula; ///< its text; what it is, for a surface that is built in
+  material look;
+};
+
+/// What is made of the objects f_i <= 0: one of them, or a combination of other solids.
+struct solid {
+  enum class kind : std::uint8_t { single, unite, intersect, subtract };
+  kind how = kind::single;
+  std::size_t single = 0;   ///< index of the object
+  std::vector<solid> parts; ///< two or more; of `subtract` the first, less the others
 };
 
 struct scene {
   std::string name;
-  std::string formula;
-  double scale;       ///< S: the eye and the lights are at multiples of it
-  octree::box domain; ///< the surface is cut off at its faces
-  material look;
-  /// Makes the octree and the traversal; refuses levels outside of 1..53 with the reason.
-  std::function<expected<std::unique_ptr<caster>>(const scene&, int octree_level, int levels)>
-      prepare;
-
-  [[nodiscard]] camera view() const { return camera::standard(scale); }
-  [[nodiscard]] std::array<light, 2> lights() const { return standard_lights(scale); }
+  std::string built_in; ///< the compiled surface's name; empty where formulas are evaluated
+  octree::box domain;   ///< the surface is cut off at its faces
+  camera view;
+  std::vector<light> lights;   ///< at most most_lights
+  std::vector<object> objects; ///< at least one
+  solid shape;
+  colour background = default_background;
 };
+inline constexpr std::size_t most_lights = 64, most_objects = 1000;
+
+/// How a ray's first hit is found.
+enum class method : std::uint8_t {
+  descent,   ///< down to the octants of level NL, the paper's way
+  certified, ///< along the ray, to the precision of doubles; without octree and levels
+};
+
+/// Makes the octree, if the method has one, and the traversal. Refuses, with the reason, levels
+/// outside of 1..53, formulas that do not parse, and a scene of which it is proven that there is no
+/// surface in the domain.
+expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels,
+                                          method by = method::descent);
+
+/// f = 0 is the surface of the whole: min for a union, max for an intersection.
+std::string formula_of(const scene& s);
+
+/// The camera and the lights that show a domain: DESIGN's, at the scale that fits, about its
+/// middle.
+camera fitting_camera(const octree::box& domain);
+std::vector<light> fitting_lights(const octree::box& domain);
+
+/// Why nothing can be seen in a domain: it is empty, or not finite. Empty if it is well.
+std::string objection_to(const octree::box& domain);
 
 /// The scenes of DESIGN's table that are built in.
 std::span<const scene> scenes();

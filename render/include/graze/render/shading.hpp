@@ -1,8 +1,9 @@
 #pragma once
-/// Light. Ray casting only: no shadow, no reflection. Colours are linear, in Rec. 709 primaries.
+/// Light. Colours are linear, in Rec. 709 primaries.
 #include <array>
 #include <cmath>
 #include <graze/octree/vector.hpp>
+#include <vector>
 
 namespace graze::render {
 
@@ -23,17 +24,20 @@ struct material {
   double ambient = 0.15;
   double diffuse = 0.9;
   double specular = 0.25;
+  double reflection = 0.2; ///< the part of the colour that the reflected ray brings (tracing only)
 };
 
+/// Of a surface that names no colour.
+inline constexpr colour default_body = {0.45, 0.40, 0.72};
 /// What no ray hit.
-inline constexpr colour background = {0.84, 0.87, 0.91};
+inline constexpr colour default_background = {0.84, 0.87, 0.91};
 /// A pixel whose ray could be neither shown to hit nor to miss.
 inline constexpr colour undecided_colour = {1, 0, 1};
 /// A pixel whose ray was not cast, since the picture was interrupted.
 inline constexpr colour unfinished_colour = {0, 0, 0};
 
 /// DESIGN's two lights at scale S.
-inline std::array<light, 2> standard_lights(double scale) {
+inline std::vector<light> standard_lights(double scale) {
   return {light{{scale * 10, scale * 12, scale * 4}, 0.8},
           light{{scale * -8, scale * 6, scale * 10}, 0.5}};
 }
@@ -49,32 +53,47 @@ inline vec3 unit(const vec3& v, const vec3& otherwise) {
 }
 } // namespace detail
 
-/// The colour at `point` with the given gradient of the surface (any length, either orientation:
-/// the side that the eye sees is lit), seen along `direction` (any length). Not clamped to 1.
-template <class Lights>
-colour shade(const material& m, const vec3& point, const vec3& gradient, const vec3& direction,
-             const Lights& lights) {
-  const vec3 to_eye = detail::unit({-direction[0], -direction[1], -direction[2]}, {0, 0, 1});
-  vec3 normal = detail::unit(gradient, to_eye);
-  if (detail::dot(normal, to_eye) < 0)
+/// The unit vector normal to the surface on the side from which `direction` comes; against
+/// `direction` where the gradient is 0.
+inline vec3 facing_normal(const vec3& gradient, const vec3& direction) {
+  const vec3 back = detail::unit({-direction[0], -direction[1], -direction[2]}, {0, 0, 1});
+  vec3 normal = detail::unit(gradient, back);
+  if (detail::dot(normal, back) < 0)
     for (double& n : normal)
       n = -n;
+  return normal;
+}
+
+/// `direction` mirrored in the plane normal to the unit vector.
+inline vec3 reflected(const vec3& direction, const vec3& normal) {
+  const double twice = 2 * detail::dot(direction, normal);
+  return {direction[0] - twice * normal[0], direction[1] - twice * normal[1],
+          direction[2] - twice * normal[2]};
+}
+
+/// The colour at `point` with the unit normal of the side that is seen, along `direction` (any
+/// length). Lights for which `shadowed(index)` is true do not count. Not clamped to 1.
+template <class Lights, class Shadowed>
+colour shade(const material& m, const vec3& point, const vec3& normal, const vec3& direction,
+             const Lights& lights, const Shadowed& shadowed) {
+  const vec3 to_eye = detail::unit({-direction[0], -direction[1], -direction[2]}, {0, 0, 1});
   colour result;
-  for (int c = 0; c < 3; ++c)
+  for (std::size_t c = 0; c < 3; ++c)
     result[c] = m.ambient * m.body[c];
-  for (const light& lamp : lights) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const light& lamp = lights[i];
     const vec3 to_light = detail::unit(
         {lamp.position[0] - point[0], lamp.position[1] - point[1], lamp.position[2] - point[2]},
         normal);
     const double lambert = detail::dot(normal, to_light);
-    if (!(lambert > 0))
+    if (!(lambert > 0) || shadowed(i))
       continue;
     const vec3 halfway = detail::unit(
         {to_light[0] + to_eye[0], to_light[1] + to_eye[1], to_light[2] + to_eye[2]}, normal);
     double shine = std::fmax(0.0, detail::dot(normal, halfway));
     for (int square = 0; square < 5; ++square)
       shine *= shine; // to the 32nd, without a libm
-    for (int c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < 3; ++c)
       result[c] += lamp.intensity * (m.diffuse * m.body[c] * lambert + m.specular * shine);
   }
   return result;

@@ -1,0 +1,21 @@
+#pragma once
+/// Scenes as JSON text: scene files, and what a picture tells of itself. docs/render.md has the
+/// keys.
+#include <graze/render/scene.hpp>
+#include <string>
+#include <string_view>
+
+namespace graze::render {
+
+/// The scene that a text describes. Any text: refuses what is no scene with a reason that names the
+/// line and column (no JSON), or the key, with the formula's column where that does not parse. That
+/// there is a surface is not looked at (prepare).
+expected<scene> scene_from(std::string_view text);
+
+/// The text of a scene, on one line, in ASCII, from which scene_from makes the same scene.
+std::string text_of(const scene& s);
+
+/// "lo,hi" for all axes, or "x0,x1,y0,y1,z0,z1".
+expected<octree::box> domain_from(std::string_view text);
+
+} // namespace graze::render

@@ -1,0 +1,115 @@
+#include "request.hpp"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <graze/octree/cube.hpp>
+#include <nlohmann/json.hpp>
+
+namespace graze::render {
+namespace {
+
+/// All of `text` as integers with `separator` between.
+std::optional<std::vector<int>> integers(std::string_view text, char separator) {
+  std::vector<int> all;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    int x = 0;
+    const auto [rest, error] = std::from_chars(at, end, x);
+    if (error != std::errc{} || (rest != end && *rest != separator))
+      return std::nullopt;
+    all.push_back(x);
+    if (rest == end)
+      return all;
+    at = rest + 1;
+  }
+}
+
+std::string outside(const char* name, int value, int least, int most) {
+  return fmt::format("{} must be {} to {}, not {}", name, least, most, value);
+}
+
+} // namespace
+
+int side_of(int spp) {
+  for (int side = 1; side <= 16; ++side)
+    if (side * side == spp)
+      return side;
+  return 0;
+}
+
+expected<extent> extent_from(std::string_view text) {
+  const auto numbers = integers(text, 'x');
+  if (!numbers || numbers->size() > 2)
+    return unexpected{
+        fmt::format("--size must be a number of pixels, or WIDTHxHEIGHT, not '{}'", text)};
+  return extent(numbers->front(), numbers->back());
+}
+
+expected<window> window_from(std::string_view text) {
+  const auto numbers = integers(text, ',');
+  if (!numbers || numbers->size() != 4)
+    return unexpected{fmt::format("--crop must be x,y,width,height, not '{}'", text)};
+  return window{(*numbers)[0], (*numbers)[1], {(*numbers)[2], (*numbers)[3]}};
+}
+
+std::string picture_settings::objection() const {
+  constexpr int deepest = octree::max_level;
+  if (levels < 1 || levels > deepest)
+    return outside("--levels", levels, 1, deepest);
+  if (octree_level < 1 || octree_level > 12)
+    return outside("--octree-level", octree_level, 1, 12);
+  for (const int side : {size.width, size.height})
+    if (side < 1 || side > largest_size)
+      return outside("--size", side, 1, largest_size);
+  if (side_of(spp) == 0)
+    return fmt::format("--spp must be a square number, 1, 4, 9 ... 256, not {}", spp);
+  if (crop &&
+      (crop->column < 0 || crop->row < 0 || crop->size.width < 1 || crop->size.height < 1 ||
+       crop->size.width > size.width - crop->column || crop->size.height > size.height - crop->row))
+    return fmt::format("--crop must be at least one pixel, and within {}x{}", size.width,
+                       size.height);
+  return {};
+}
+
+std::string picture_settings::text() const {
+  nlohmann::ordered_json j = {{"mode", how == mode::trace ? "trace" : "cast"},
+                              {"method", by == method::certified ? "certified" : "descent"},
+                              {"levels", levels},
+                              {"octree_level", octree_level},
+                              {"size", {size.width, size.height}},
+                              {"spp", spp}};
+  if (crop)
+    j["crop"] = {crop->column, crop->row, crop->size.width, crop->size.height};
+  return j.dump();
+}
+
+expected<picture_settings> picture_settings::from(std::string_view text) {
+  try {
+    const auto j = nlohmann::ordered_json::parse(text);
+    picture_settings s;
+    const auto how = j.at("mode").get<std::string>();
+    if (how != "cast" && how != "trace")
+      return unexpected{"its mode is unknown"};
+    s.how = how == "trace" ? mode::trace : mode::cast;
+    const auto by = j.value("method", "descent"); // pictures of before there was another
+    if (by != "descent" && by != "certified")
+      return unexpected{"its method is unknown"};
+    s.by = by == "certified" ? method::certified : method::descent;
+    s.levels = j.at("levels").get<int>();
+    s.octree_level = j.at("octree_level").get<int>();
+    s.size = {j.at("size").at(0).get<int>(), j.at("size").at(1).get<int>()};
+    s.spp = j.at("spp").get<int>();
+    if (j.contains("crop")) {
+      const auto c = j.at("crop").get<std::array<int, 4>>();
+      s.crop = window{c[0], c[1], {c[2], c[3]}};
+    }
+    if (const std::string why = s.objection(); !why.empty())
+      return unexpected{why};
+    return s;
+  } catch (const nlohmann::json::exception&) {
+    return unexpected{"its settings cannot be read"};
+  }
+}
+
+} // namespace graze::render

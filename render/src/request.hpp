@@ -1,0 +1,33 @@
+#pragma once
+/// What graze-render is asked for, and the settings that a picture tells of itself.
+#include <graze/render/render.hpp>
+#include <string>
+#include <string_view>
+
+namespace graze::render {
+
+/// All on which the bytes of a picture depend, beside the scene and the version.
+struct picture_settings {
+  mode how = mode::cast;
+  method by = method::certified;
+  int levels = 30;
+  int octree_level = 9;
+  extent size = 512;
+  std::optional<window> crop;
+  int spp = 1;
+
+  /// The reason why no picture can be made so; empty if one can.
+  [[nodiscard]] std::string objection() const;
+  /// As JSON on one line; and back, where any text is refused that is none.
+  [[nodiscard]] std::string text() const;
+  static expected<picture_settings> from(std::string_view text);
+};
+
+/// "512" or "640x480".
+expected<extent> extent_from(std::string_view text);
+/// "x,y,w,h": first column, first row, width, height.
+expected<window> window_from(std::string_view text);
+/// The side of the square of `spp` rays; 0 if it is none.
+int side_of(int spp);
+
+} // namespace graze::render

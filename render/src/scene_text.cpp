@@ -1,0 +1,336 @@
+#include <graze/render/scene_text.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <graze/octree_formula.hpp>
+#include <nlohmann/json.hpp>
+
+namespace graze::render {
+namespace {
+
+using json = nlohmann::ordered_json;
+constexpr int most_nested = 64;
+
+/// Thrown within this file only.
+struct refusal {
+  std::string reason;
+};
+
+/// A value and where it is: "lights[1].intensity".
+class value {
+public:
+  value(const json& what, std::string path) : json_(&what), path_(std::move(path)) {}
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw refusal{path_.empty() ? why : fmt::format("key {}: {}", path_, why)};
+  }
+  /// Of an object; its keys must be among these.
+  void check_keys(std::initializer_list<const char*> known) const {
+    if (!json_->is_object())
+      refuse("must be an object, { ... }");
+    for (const auto& [key, unused] : json_->items())
+      if (std::none_of(known.begin(), known.end(), [&](const char* k) { return key == k; }))
+        refuse(fmt::format("there is no key '{}'; there are {}", key, fmt::join(known, ", ")));
+  }
+  [[nodiscard]] bool is_text() const { return json_->is_string(); }
+  [[nodiscard]] bool has(const char* key) const { return json_->contains(key); }
+  [[nodiscard]] value at(const char* key) const {
+    if (!has(key))
+      refuse(fmt::format("the key '{}' is missing", key));
+    return {json_->at(key), path_.empty() ? key : fmt::format("{}.{}", path_, key)};
+  }
+  [[nodiscard]] std::vector<value> elements(std::size_t most) const {
+    if (!json_->is_array())
+      refuse("must be a list, [ ... ]");
+    if (json_->size() > most)
+      refuse(fmt::format("has {} elements, more than {}", json_->size(), most));
+    std::vector<value> all;
+    for (std::size_t i = 0; i < json_->size(); ++i)
+      all.emplace_back((*json_)[i], fmt::format("{}[{}]", path_, i));
+    return all;
+  }
+  [[nodiscard]] std::string text() const {
+    if (!json_->is_string())
+      refuse("must be a text");
+    return json_->get<std::string>();
+  }
+  /// A number within [least, most].
+  [[nodiscard]] double number(double least, double most) const {
+    if (!json_->is_number())
+      refuse("must be a number");
+    const auto x = json_->get<double>();
+    if (!(x >= least && x <= most))
+      refuse(fmt::format("must be {} to {}, not {}", least, most, x));
+    return x;
+  }
+  [[nodiscard]] std::array<double, 3> three(double least, double most) const {
+    const auto all = elements(3);
+    if (all.size() != 3)
+      refuse("must have three elements");
+    return {all[0].number(least, most), all[1].number(least, most), all[2].number(least, most)};
+  }
+  /// The only key of an object that has one.
+  [[nodiscard]] std::string only_key() const {
+    if (!json_->is_object() || json_->size() != 1)
+      refuse("must have one key");
+    return json_->begin().key();
+  }
+
+private:
+  const json* json_;
+  std::string path_;
+};
+
+constexpr double farthest = 1e100;
+
+material material_from(const value& v, material m) {
+  if (v.has("body"))
+    m.body = v.at("body").three(0, 100);
+  const auto read = [&](const char* key, double& to, double most) {
+    if (v.has(key))
+      to = v.at(key).number(0, most);
+  };
+  read("ambient", m.ambient, 100);
+  read("diffuse", m.diffuse, 100);
+  read("specular", m.specular, 100);
+  read("reflection", m.reflection, 1);
+  return m;
+}
+
+std::string formula_from(const value& v) {
+  std::string text = v.text();
+  if (const auto parsed = octree::formula::parse(text); !parsed)
+    v.refuse(parsed.reason());
+  return text;
+}
+
+solid solid_from(const value& v, const std::vector<object>& objects, int nested) {
+  if (nested > most_nested)
+    v.refuse(fmt::format("is nested more than {} times", most_nested));
+  if (v.is_text()) {
+    const std::string name = v.text();
+    for (std::size_t i = 0; i < objects.size(); ++i)
+      if (objects[i].name == name)
+        return {solid::kind::single, i, {}};
+    v.refuse(fmt::format("there is no object '{}'", name));
+  }
+  solid s;
+  const std::string how = v.only_key();
+  if (how == "union")
+    s.how = solid::kind::unite;
+  else if (how == "intersection")
+    s.how = solid::kind::intersect;
+  else if (how == "difference")
+    s.how = solid::kind::subtract;
+  else
+    v.refuse(fmt::format("'{}' is none of union, intersection, difference", how));
+  const value parts = v.at(how.c_str());
+  for (const value& part : parts.elements(most_objects))
+    s.parts.push_back(solid_from(part, objects, nested + 1));
+  if (s.parts.size() < 2)
+    parts.refuse("needs two solids or more");
+  return s;
+}
+
+octree::box domain_of(const value& v) {
+  const auto all = v.elements(6);
+  octree::box b{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t first = all.size() == 6 ? 2 * a : 0;
+    if (all.size() != 2 && all.size() != 6)
+      v.refuse("must be [lo, hi] or [x0, x1, y0, y1, z0, z1]");
+    b.lo[a] = all[first].number(-farthest, farthest);
+    b.hi[a] = all[first + 1].number(-farthest, farthest);
+  }
+  if (const std::string why = objection_to(b); !why.empty())
+    v.refuse(why);
+  return b;
+}
+
+camera camera_from(const value& v) {
+  camera c{};
+  if (v.has("scale")) {
+    v.check_keys({"scale", "at"});
+    c = camera::standard(v.at("scale").number(1e-90, 1e90));
+    if (v.has("at")) {
+      const auto at = v.at("at").three(-farthest, farthest);
+      for (std::size_t a = 0; a < 3; ++a)
+        c.eye[a] += at[a];
+    }
+  } else {
+    v.check_keys({"eye", "centre", "right", "up"});
+    c = {v.at("eye").three(-farthest, farthest), v.at("centre").three(-farthest, farthest),
+         v.at("right").three(-farthest, farthest), v.at("up").three(-farthest, farthest)};
+  }
+  if (const char* why = c.objection(); why != nullptr)
+    v.refuse(why);
+  return c;
+}
+
+std::vector<light> lights_from(const value& v) {
+  std::vector<light> lights;
+  for (const value& l : v.elements(most_lights)) {
+    l.check_keys({"position", "intensity"});
+    lights.push_back(
+        {l.at("position").three(-farthest, farthest), l.at("intensity").number(0, 1e6)});
+  }
+  return lights;
+}
+
+scene scene_of(const value& v) {
+  v.check_keys({"name", "surface", "formula", "material", "objects", "solid", "domain", "camera",
+                "lights", "background"});
+  const int surfaces = int{v.has("surface")} + int{v.has("formula")} + int{v.has("objects")};
+  if (surfaces != 1)
+    v.refuse(surfaces == 0 ? "no surface: one of the keys surface, formula, objects is needed"
+                           : "surface, formula and objects exclude each other");
+  scene s{};
+  if (v.has("surface")) {
+    const std::string name = v.at("surface").text();
+    const scene* found = find_scene(name);
+    if (found == nullptr)
+      v.at("surface").refuse(fmt::format("there is no '{}'; there are {}", name, scene_names()));
+    s = *found;
+  } else if (v.has("formula")) {
+    s.objects.push_back({"surface", formula_from(v.at("formula")), material{default_body}});
+  } else {
+    for (const value& o : v.at("objects").elements(most_objects)) {
+      o.check_keys({"name", "formula", "body", "ambient", "diffuse", "specular", "reflection"});
+      const std::string name = o.at("name").text();
+      for (const object& other : s.objects)
+        if (other.name == name)
+          o.at("name").refuse(fmt::format("there are two objects '{}'", name));
+      s.objects.push_back(
+          {name, formula_from(o.at("formula")), material_from(o, material{default_body})});
+    }
+    if (s.objects.empty())
+      v.at("objects").refuse("no surface: the list is empty");
+  }
+  if (v.has("material")) {
+    if (v.has("objects"))
+      v.at("material").refuse("objects have their own");
+    v.at("material").check_keys({"body", "ambient", "diffuse", "specular", "reflection"});
+    s.objects[0].look = material_from(v.at("material"), s.objects[0].look);
+  }
+  if (v.has("solid")) {
+    s.shape = solid_from(v.at("solid"), s.objects, 0);
+  } else if (s.objects.size() > 1) {
+    s.shape.how = solid::kind::unite;
+    for (std::size_t i = 0; i < s.objects.size(); ++i)
+      s.shape.parts.push_back({solid::kind::single, i, {}});
+  }
+  if (v.has("name"))
+    s.name = v.at("name").text();
+  else if (s.built_in.empty())
+    s.name = "scene";
+  const bool own_domain = v.has("domain");
+  if (own_domain)
+    s.domain = domain_of(v.at("domain"));
+  else if (s.built_in.empty())
+    v.refuse("the key 'domain' is missing");
+  if (v.has("camera"))
+    s.view = camera_from(v.at("camera"));
+  else if (s.built_in.empty())
+    s.view = fitting_camera(s.domain);
+  if (v.has("lights"))
+    s.lights = lights_from(v.at("lights"));
+  else if (s.built_in.empty())
+    s.lights = fitting_lights(s.domain);
+  if (v.has("background"))
+    s.background = v.at("background").three(0, 100);
+  return s;
+}
+
+json json_of(const solid& s, const std::vector<object>& objects) {
+  if (s.how == solid::kind::single)
+    return objects[s.single].name;
+  json parts = json::array();
+  for (const solid& part : s.parts)
+    parts.push_back(json_of(part, objects));
+  const char* const how = s.how == solid::kind::unite       ? "union"
+                          : s.how == solid::kind::intersect ? "intersection"
+                                                            : "difference";
+  return {{how, parts}};
+}
+
+json json_of(const material& m) {
+  return {{"body", m.body},
+          {"ambient", m.ambient},
+          {"diffuse", m.diffuse},
+          {"specular", m.specular},
+          {"reflection", m.reflection}};
+}
+
+} // namespace
+
+expected<scene> scene_from(std::string_view text) {
+  try {
+    const json document = json::parse(text);
+    return scene_of(value(document, ""));
+  } catch (const refusal& r) {
+    return unexpected{r.reason};
+  } catch (const json::exception& e) {
+    std::string why = e.what(); // "[json.exception...] parse error at line 1, column 3: ..."
+    if (const auto end = why.find("] "); end != std::string::npos)
+      why.erase(0, end + 2);
+    std::replace(why.begin(), why.end(), '\n', ' ');
+    return unexpected{why};
+  }
+}
+
+std::string text_of(const scene& s) {
+  json j = {{"name", s.name}};
+  if (!s.built_in.empty()) {
+    j["surface"] = s.built_in;
+    j["material"] = json_of(s.objects[0].look);
+  } else {
+    j["objects"] = json::array();
+    for (const object& o : s.objects) {
+      json one = {{"name", o.name}, {"formula", o.formula}};
+      one.update(json_of(o.look));
+      j["objects"].push_back(std::move(one));
+    }
+    j["solid"] = json_of(s.shape, s.objects);
+  }
+  const octree::box& d = s.domain;
+  j["domain"] = {d.lo[0], d.hi[0], d.lo[1], d.hi[1], d.lo[2], d.hi[2]};
+  j["camera"] = {
+      {"eye", s.view.eye}, {"centre", s.view.centre}, {"right", s.view.right}, {"up", s.view.up}};
+  j["lights"] = json::array();
+  for (const light& l : s.lights)
+    j["lights"].push_back({{"position", l.position}, {"intensity", l.intensity}});
+  j["background"] = s.background;
+  return j.dump(-1, ' ', true, json::error_handler_t::replace);
+}
+
+expected<octree::box> domain_from(std::string_view text) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    double x = 0;
+    const auto [rest, error] = std::from_chars(at, end, x);
+    if (error != std::errc{} || (rest != end && *rest != ','))
+      return unexpected{fmt::format("column {}: a number is wanted", at - text.data() + 1)};
+    numbers.push_back(x);
+    if (rest == end)
+      break;
+    at = rest + 1;
+  }
+  if (numbers.size() != 2 && numbers.size() != 6)
+    return unexpected{
+        fmt::format("needs lo,hi or x0,x1,y0,y1,z0,z1, not {} numbers", numbers.size())};
+  octree::box b{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t first = numbers.size() == 6 ? 2 * a : 0;
+    b.lo[a] = numbers[first];
+    b.hi[a] = numbers[first + 1];
+  }
+  if (const std::string why = objection_to(b); !why.empty())
+    return unexpected{why};
+  return b;
+}
+
+} // namespace graze::render

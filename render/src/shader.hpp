@@ -1,0 +1,59 @@
+#pragma once
+/// What a batch of rays sees: light, shadows and reflections.
+#include <graze/render/render.hpp>
+
+namespace graze::render {
+
+/// Follows a batch of rays, and the batches of shadow rays and of reflected rays that come of it.
+/// What becomes of a ray depends on nothing but the ray. One a thread: it keeps its buffers.
+class shader {
+public:
+  shader(const scene& s, const caster& work, mode how) : scene_(s), work_(work), how_(how) {}
+
+  /// The colours of what the rays see, given their first hits. As many of each.
+  void look(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
+            std::span<colour> colours, tally& counts);
+
+private:
+  /// A proven hit whose colour is sought.
+  struct seen {
+    std::size_t pixel; ///< in look's spans
+    double weight;     ///< of what is seen in the pixel's colour
+    octree::ray ray;
+    octree::surface_hit hit;
+    vec3 point, normal;
+    std::size_t object;
+    departure from;
+    std::uint64_t shadowed; ///< bit i: light i is proven to be hidden
+  };
+
+  void sort(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
+            std::span<const std::size_t> pixels, std::span<const double> weights,
+            std::span<colour> colours);
+  void find_departures(tally& counts);
+  void find_shadows(tally& counts);
+  void reflect(std::span<colour> colours, bool last, tally& counts);
+
+  const scene& scene_;
+  const caster& work_;
+  mode how_;
+  std::vector<seen> seen_;
+  // Of the batch that is followed.
+  std::vector<octree::ray> rays_;
+  std::vector<octree::surface_hit> hits_;
+  std::vector<std::size_t> pixels_;
+  std::vector<double> weights_;
+  std::vector<departure> departures_;
+};
+
+/// o + t d, rounded.
+inline vec3 point_at(const octree::ray& r, double t) {
+  vec3 p;
+  for (std::size_t a = 0; a < 3; ++a)
+    p[a] = r.origin()[a] + t * r.direction()[a];
+  return p;
+}
+/// The middle of a hit's enclosure.
+inline double middle(const octree::surface_hit& h) { return h.t_near + (h.t_far - h.t_near) / 2; }
+
+} // namespace graze::render
