@@ -63,7 +63,7 @@ def row(program, name, level, rays, adversarial):
                ("rays", "rays_with_miss", "declined", "faults")})
         for g in range(len(adversarial))]
     first = [r["first_miss_seconds"] for r in runs]
-    time = "none" if None in first else f"{1000 * statistics.median(first):.0f} ms"
+    time = "none" if None in first else f"{1000 * statistics.median(first):.2g} ms"
     faults = [r["finding"] for r in runs if r["finding"] in ("crash", "hang", "nan", "malformed")]
     return (f"| {name} | {total['rays']} | {percent(share(total))} | "
             f"{percent(min(by_generator))} to {percent(max(by_generator))} | "

@@ -1,6 +1,8 @@
 /// The predicates on cases small enough to be checked by eye.
 #include <catch2/catch.hpp>
+#include <graze/fuzz/generators.hpp>
 #include <graze/fuzz/properties.hpp>
+#include <graze/oracle/rational.hpp>
 
 using namespace graze::fuzz;
 
@@ -97,6 +99,33 @@ TEST_CASE("fuzz.properties: spurious near the ray is rounding, far from it is no
   CHECK(far_spurious(near, truth_of(near), seen({o001})) == 0);
   const trial far = eight({0.25, 0.25, 0.25}, {1, 0, 0});
   CHECK(far_spurious(far, truth_of(far), seen({o001})) == set_of({o001}));
+}
+
+TEST_CASE("fuzz.properties: what is gross is what rationals say", "[property]") {
+  int wrong = 0, gross_ones = 0, others = 0;
+  for (const generator& g : generators())
+    for (const int level : {1, 10, 30, 50, 53})
+      for (unsigned k = 0; k < 100; ++k) {
+        const trial t = make_trial(g, 77, k, level);
+        mpq_class square = 0;
+        for (const double d : t.direction)
+          square += mpq_class(d) * mpq_class(d);
+        const mpq_class least = mpq_class(t.size()) / 1000;
+        const voxel_set said = gross(t, t.all());
+        for (voxel_set left = t.all(); left != 0; left &= left - 1) {
+          const auto v = static_cast<voxel>(std::countr_zero(left));
+          const cube box = t.octant(v);
+          const auto in = graze::oracle::rational::range_in(t.origin, t.direction, box.lo,
+                                                            {box.hi(0), box.hi(1), box.hi(2)});
+          const mpq_class span = in ? in->second - in->first : mpq_class(0);
+          const bool is = span * span * square > least * least;
+          wrong += is != ((said >> v & 1) != 0);
+          ++(is ? gross_ones : others);
+        }
+      }
+  CHECK(wrong == 0);
+  CHECK(gross_ones > 1000);
+  CHECK(others > 1000);
 }
 
 TEST_CASE("fuzz.properties: a miss is gross where the chord is over 1e-3 of the edge", "[unit]") {

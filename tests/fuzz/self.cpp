@@ -7,6 +7,7 @@
 #include <graze/decorated_functions.hpp>
 #include <graze/fuzz/self/batches.hpp>
 #include <graze/fuzz/self/campaign.hpp>
+#include <graze/fuzz/self/formula.hpp>
 #include <graze/fuzz/self/interval_operations.hpp>
 #include <graze/fuzz/self/loaders.hpp>
 #include <graze/fuzz/self/voxelizer.hpp>
@@ -166,6 +167,13 @@ TEST_CASE("fuzz.self: a broken operation over arrays is reported", "[unit]") {
         x = bounds::entire();
     };
   reports(of(spans_by(batch::path::baseline, list)), flaw::difference);
+}
+
+TEST_CASE("fuzz.self: an enclosure of a formula one ulp too narrow is reported", "[unit]") {
+  reports(formula_subject([](const bounds& x) {
+            return x.lo < x.hi ? bounds{std::nextafter(x.lo, infinity), x.hi} : x;
+          }),
+          flaw::unsound, 2000);
 }
 
 TEST_CASE("fuzz.self: a dropped leaf is reported", "[unit]") {

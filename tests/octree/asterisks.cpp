@@ -68,13 +68,7 @@ template <int M, int N> void enclosures() {
       wrong_mean += mean.lower() > 0 || mean.upper() < 0;
     }
     for (int k = 0; k < 3; ++k) {
-      vec3 p;
-      for (int a = 0; a < 3; ++a) {
-        const unsigned where = random.below(4);
-        p[a] = where == 0   ? b.lo[a]
-               : where == 1 ? b.hi[a]
-                            : std::clamp(random.in(b.lo[a], b.hi[a]), b.lo[a], b.hi[a]);
-      }
+      const vec3 p = judge::some_point(random, b);
       const real v = exact<M, N>(real(p[0]), real(p[1]), real(p[2]));
       // the judge's own error at 600 bits, of angles near the axis
       const real slack("1e-150");

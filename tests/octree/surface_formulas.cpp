@@ -39,17 +39,6 @@ template <class S> box some_box(judge::random_source& random, const S& scene) {
   return b;
 }
 
-vec3 some_point(judge::random_source& random, const box& b) {
-  vec3 p;
-  for (int a = 0; a < 3; ++a) {
-    const unsigned where = random.below(4);
-    p[a] = where == 0   ? b.lo[a]
-           : where == 1 ? b.hi[a]
-                        : std::clamp(random.in(b.lo[a], b.hi[a]), b.lo[a], b.hi[a]);
-  }
-  return p;
-}
-
 template <class I> bool holds(const I& x, const real& v) {
   return real(x.lower()) <= v && v <= real(x.upper());
 }
@@ -137,7 +126,7 @@ TEST_CASE("octree.surfaces: natural extension, mean value form and gradient hold
                                           anywhere(b.lo[2], b.hi[2]));
       unequal += same.lower() != natural.lower() || same.upper() != natural.upper();
       for (int k = 0; k < 4; ++k) {
-        const vec3 p = some_point(random, b);
+        const vec3 p = judge::some_point(random, b);
         using d = dual<real>;
         const d exact = scene.surface(d::variable(real(p[0]), 0), d::variable(real(p[1]), 1),
                                       d::variable(real(p[2]), 2));
@@ -166,7 +155,8 @@ TEST_CASE("octree.surfaces: natural extension, mean value form and gradient hold
 }
 
 TEST_CASE("octree.inclusion: the centre of a flat subnormal box is in the box", "[regression]") {
-  // half of it, rounded up, twice, is twice the number: a centre outside, and a bound without 2^-148
+  // half of it, rounded up, twice, is twice the number: a centre outside, and a bound without
+  // 2^-148
   const auto square = [](const auto& x, const auto&, const auto&) { return sqr(x * 0x1p1000); };
   const box flat{{0x1p-1074, 0, 0}, {0x1p-1074, 0, 0}};
   const up::scope scope;

@@ -1,7 +1,8 @@
 #pragma once
 /// The judge of the surface tests: formulas over MPFR, and hard random numbers.
+#include <algorithm>
 #include <boost/multiprecision/mpfr.hpp>
-#include <graze/octree/vector.hpp>
+#include <graze/octree/box.hpp>
 #include <random>
 
 namespace judge {
@@ -23,4 +24,16 @@ struct random_source {
   double in(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine); }
   unsigned below(unsigned n) { return static_cast<unsigned>(engine() % n); }
 };
+
+/// A point of the box: often at its faces, edges and vertices.
+inline graze::octree::vec3 some_point(random_source& random, const graze::octree::box& b) {
+  graze::octree::vec3 p;
+  for (int a = 0; a < 3; ++a) {
+    const unsigned where = random.below(4);
+    p[a] = where == 0   ? b.lo[a]
+           : where == 1 ? b.hi[a]
+                        : std::clamp(random.in(b.lo[a], b.hi[a]), b.lo[a], b.hi[a]);
+  }
+  return p;
+}
 } // namespace judge

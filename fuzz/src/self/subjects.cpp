@@ -1,6 +1,7 @@
 #include "subjects.hpp"
 #include <algorithm>
 #include <graze/fuzz/self/batches.hpp>
+#include <graze/fuzz/self/formula.hpp>
 #include <graze/fuzz/self/interval_operations.hpp>
 #include <graze/fuzz/self/loaders.hpp>
 #include <graze/fuzz/self/voxelizer.hpp>
@@ -18,6 +19,7 @@ const std::vector<subject>& subjects() {
       batches_subject(),
       voxelizer_subject(),
       loaders_subject(),
+      formula_subject(),
 #if defined(__x86_64__)
       control_words_subject(),
 #endif

@@ -62,15 +62,22 @@ public:
   void split(const cube& cell, const state& at, branches<state>& out) const {
     branches<state> all;
     base::split(cell, at, all);
-    for (unsigned i = 0; i < all.size(); ++i) {
-      double enter = 0, leave = HUGE_VAL;
-      for (const auto& axis : all[i].state.possible) {
-        enter = std::max(enter, axis.enter);
-        leave = std::min(leave, axis.leave);
-      }
-      if (enter < leave)
+    for (unsigned i = 0; i < all.size(); ++i)
+      if (strictly(all[i].state))
         out.push(all[i].index, all[i].state);
+  }
+  bool enter_child(const cube& cell, unsigned index, state& at) const {
+    return base::enter_child(cell, index, at) && strictly(at);
+  }
+
+private:
+  static bool strictly(const state& at) {
+    double enter = 0, leave = HUGE_VAL;
+    for (const auto& axis : at.possible) {
+      enter = std::max(enter, axis.enter);
+      leave = std::min(leave, axis.leave);
     }
+    return enter < leave;
   }
 };
 

@@ -1,10 +1,11 @@
 // Random formulas: every enclosure holds MPFR's values, every gradient MPFR's differences, and what
 // is said to be continuous is defined.
-#include "tree.hpp"
+#include "../surface_judge.hpp"
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <graze/octree/inclusion.hpp>
 #include <graze/octree_formula.hpp>
+#include <graze/oracle/formula_tree.hpp>
 #include <graze/rounding/nearest.hpp>
 
 using namespace graze;
@@ -27,17 +28,6 @@ box some_box(judge::random_source& random) {
   }
   return b;
 }
-vec3 some_point(judge::random_source& random, const box& b) {
-  vec3 p;
-  for (int a = 0; a < 3; ++a) {
-    const unsigned where = random.below(4);
-    p[a] = where == 0   ? b.lo[a]
-           : where == 1 ? b.hi[a]
-                        : std::clamp(random.in(b.lo[a], b.hi[a]), b.lo[a], b.hi[a]);
-  }
-  return p;
-}
-
 /// Up to a slack for the judge's own error.
 template <class I> bool holds(const I& x, const real& v, const real& relative) {
   const real slack = relative * (1 + abs(v));
@@ -45,7 +35,7 @@ template <class I> bool holds(const I& x, const real& v, const real& relative) {
 }
 
 /// The derivative by central differences, where two steps agree.
-std::optional<real> difference(const judge::tree& f, std::array<real, 3> p, std::size_t axis) {
+std::optional<real> difference(const oracle::tree& f, std::array<real, 3> p, std::size_t axis) {
   std::optional<real> slopes[2];
   const real at = p[axis];
   for (int i = 0; i < 2; ++i) {
@@ -67,7 +57,7 @@ struct tally {
   int formulas = 0, values = 0, slopes = 0, continuous = 0, wrong = 0;
 };
 
-void examine(tally& t, judge::random_source& random, const judge::tree& tree, int boxes) {
+void examine(tally& t, judge::random_source& random, const oracle::tree& tree, int boxes) {
   const auto f = formula::parse(tree.text);
   if (!f) { // a part that is constant may be undefined, or too large
     const bool fair = f.reason().find("not defined") != std::string::npos ||
@@ -116,12 +106,12 @@ void examine(tally& t, judge::random_source& random, const judge::tree& tree, in
       complain("one partial is not the first of three", b.lo);
     t.continuous += continuous;
     for (int k = 0; k < 3; ++k) {
-      const vec3 p = some_point(random, b);
+      const vec3 p = judge::some_point(random, b);
       const std::array<real, 3> at{real(p[0]), real(p[1]), real(p[2])};
-      judge::tree::gave_up = false;
+      oracle::tree::gave_up = false;
       const auto exact = tree(at);
       if (!exact) {
-        if (continuous && !judge::tree::gave_up)
+        if (continuous && !oracle::tree::gave_up)
           complain("not defined where it is called continuous", p);
         continue;
       }
@@ -138,7 +128,7 @@ void examine(tally& t, judge::random_source& random, const judge::tree& tree, in
     std::array<real, 3> within;
     for (std::size_t a = 0; a < 3; ++a)
       within[a] = real(b.lo[a]) + (real(b.hi[a]) - real(b.lo[a])) * random.in(0.1, 0.9);
-    judge::tree::gave_up = false;
+    oracle::tree::gave_up = false;
     for (std::size_t a = 0; a < 3; ++a) {
       if (b.lo[a] == b.hi[a])
         continue;
@@ -156,9 +146,11 @@ void examine(tally& t, judge::random_source& random, const judge::tree& tree, in
 TEST_CASE("octree.formula: random formulas enclose MPFR's values and differences",
           "[property][mpfr]") {
   judge::random_source random(41);
+  oracle::random_bits formulas(41);
   tally t;
   for (int i = 0; i < 3000; ++i)
-    examine(t, random, *judge::some_tree(random, 1 + static_cast<int>(random.below(4)), false), 8);
+    examine(t, random, *oracle::some_tree(formulas, 1 + static_cast<int>(random.below(4)), false),
+            8);
   CHECK(t.wrong == 0);
   CHECK(t.formulas > 2000);
   CHECK(t.values > 20000);
@@ -169,9 +161,11 @@ TEST_CASE("octree.formula: random formulas enclose MPFR's values and differences
 TEST_CASE("octree.formula: random polynomials enclose MPFR's values and differences",
           "[property][mpfr]") {
   judge::random_source random(43);
+  oracle::random_bits formulas(43);
   tally t;
   for (int i = 0; i < 1500; ++i)
-    examine(t, random, *judge::some_tree(random, 2 + static_cast<int>(random.below(5)), true), 8);
+    examine(t, random, *oracle::some_tree(formulas, 2 + static_cast<int>(random.below(5)), true),
+            8);
   CHECK(t.wrong == 0);
   CHECK(t.formulas > 1400);
   CHECK(t.slopes > 20000);
@@ -189,8 +183,9 @@ TEST_CASE("octree.formula: polynomials in one variable have their range, but for
     for (int k = degree; k >= 0; --k) {
       const double value = k == degree ? 1 : std::nearbyint(random.in(-9, 9)) / 2;
       c.push_back(value);
-      text += (value < 0 ? "-" : "+") + std::to_string(std::fabs(value)) +
-              (k > 0 ? std::string("*x^").append(std::to_string(k)) : "");
+      text.append(value < 0 ? "-" : "+").append(std::to_string(std::fabs(value)));
+      if (k > 0)
+        text.append("*x^").append(std::to_string(k));
     }
     const auto f = formula::parse(text);
     REQUIRE(f);

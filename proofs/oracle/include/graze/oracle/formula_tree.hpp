@@ -1,13 +1,18 @@
 #pragma once
 /// Random formulas, and their values by MPFR: shares nothing with the parser but the grammar.
-#include "../surface_judge.hpp"
 #include <array>
+#include <boost/multiprecision/mpfr.hpp>
+#include <graze/oracle/random_bits.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace judge {
+namespace graze::oracle {
+
+/// 600 bits.
+using real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<180>,
+                                           boost::multiprecision::et_off>;
 
 /// A formula as a text and as a function; its value is missing where it is not defined.
 struct tree {
@@ -17,7 +22,8 @@ struct tree {
   int axis = -1;      ///< of a variable
   std::string digits; ///< of a constant
 
-  /// A value was too large to go on; to be cleared.
+  /// The judge does not follow values beyond this, and says so in gave_up (to be cleared).
+  static inline real greatest{"1e300"};
   static inline bool gave_up = false;
 
   [[nodiscard]] std::optional<real> operator()(const std::array<real, 3>& p) const {
@@ -33,8 +39,9 @@ struct tree {
       x.push_back(*v);
     }
     auto r = value_of(x);
-    // the judge does not follow values that no double reaches
-    gave_up = gave_up || (r && (!isfinite(*r) || abs(*r) > real("1e300")));
+    if (r && *r == 0)
+      r = real(0); // real numbers have one zero: atan2(0, x) of MPFR tells -0 from it
+    gave_up = gave_up || (r && (!isfinite(*r) || abs(*r) > greatest));
     return gave_up ? std::nullopt : r;
   }
 };
@@ -145,24 +152,25 @@ inline const std::vector<shape>& shapes() {
   return table;
 }
 
+inline std::size_t below(random_bits& random, std::size_t n) { return random() % n; }
+
 /// A random formula. `arithmetic`: polynomials alone.
-inline std::shared_ptr<tree> some_tree(random_source& random, int depth, bool arithmetic) {
+inline std::shared_ptr<tree> some_tree(random_bits& random, int depth, bool arithmetic) {
   auto t = std::make_shared<tree>();
-  if (depth == 0 || random.below(5) == 0) {
-    if (random.below(4) == 0) {
+  if (depth == 0 || below(random, 5) == 0) {
+    if (below(random, 4) == 0) {
       static const char* const constants[] = {"1",   "2",    "0.5",  "0.1", "3",
                                               "1.7", "11.8", "0.25", "5"};
-      t->digits = t->text = constants[random.below(std::size(constants))];
+      t->digits = t->text = constants[below(random, std::size(constants))];
     } else {
-      t->axis = static_cast<int>(random.below(3));
+      t->axis = static_cast<int>(below(random, 3));
       t->text = std::string(1, "xyz"[t->axis]);
     }
     return t;
   }
-  const shape& s =
-      shapes()[random.below(arithmetic             ? 6u
-                            : random.below(2) == 0 ? 13u
-                                                   : static_cast<unsigned>(shapes().size()))];
+  const shape& s = shapes()[below(random, arithmetic              ? 6
+                                          : below(random, 2) == 0 ? 13
+                                                                  : shapes().size())];
   t->value_of = s.value;
   for (int i = 0; i < s.operands; ++i)
     t->operands.push_back(some_tree(random, depth - 1, arithmetic));
@@ -177,4 +185,4 @@ inline std::shared_ptr<tree> some_tree(random_source& random, int depth, bool ar
   return t;
 }
 
-} // namespace judge
+} // namespace graze::oracle
