@@ -1,4 +1,4 @@
-// graze-render: a picture of an implicit surface, each ray through the sound traversal.
+// graze-render: a picture of an implicit surface, each ray with its verdict.
 #include "program.hpp"
 #include "progress.hpp"
 #include "request.hpp"
@@ -272,7 +272,7 @@ void declare(CLI::App& app, request& r) {
       "Exit codes: 0 done, 1 the picture could not be written, 2 bad input, 130 interrupted.\n\n"
       "Examples:\n"
       "  graze-render --scene tanglecube -o tanglecube.png\n"
-      "  graze-render --scene spheres --mode trace --levels 50 --size 1024 -o spheres.exr\n"
+      "  graze-render --scene spheres --mode trace --size 1024 -o spheres.exr\n"
       "  graze-render --formula \"x^4 + y^4 + z^4 - 1\" --domain=-1.5,1.5 --spp 4 -o cube.png\n"
       "  graze-render --again spheres.exr -o the_same.exr");
 }
@@ -284,7 +284,7 @@ int main(int argc, char** argv) {
   r.domain = "-2,2";
   CLI::App app(
       "Pictures of implicit surfaces: each pixel's ray hits, misses, or is undecided, proven by\n"
-      "interval arithmetic on an octree.",
+      "interval arithmetic.",
       "graze-render");
   declare(app, r);
   try {
