@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Renders the six scenes by POV-Ray's isosurface and by graze-render; prints Markdown tables.
 
-usage: bench/povray.py GRAZE_RENDER [--quick] [--scene NAME]... [--gradients] [--threads]
+usage: bench/povray.py GRAZE_RENDER [--quick] [--mode cast|trace] [--scene NAME]... [--gradients] [--threads]
 --quick      leaves out tracing of the asterisks by POV-Ray
 --gradients  prints instead what POV-Ray loses of the casted masks at other values of max_gradient
 --threads    prints instead graze-render with two threads beside one, at 2048x2048
@@ -169,11 +169,11 @@ def seconds(x):
     return f"{x:.3f}" if x < 1 else f"{x:.2f}" if x < 10 else f"{x:.1f}"
 
 
-def compare(program, names, quick, folder):
+def compare(program, names, modes, quick, folder):
     print("| scene | mode | POV-Ray, s | certified, s | ratio | descent to NL 30, s | ratio | max_gradient |"
           " hits | pixels where POV-Ray's mask differs |\n" + "|---" * 10 + "|", flush=True)
     start = min(processor_time([program, "--version"])[1] for _ in range(9))
-    for trace in (False, True):
+    for trace in modes:
         for name in names:
             if quick and trace and name.startswith("asterisk"):
                 continue
@@ -237,7 +237,8 @@ def main():
             sys.exit("povray is missing (Debian's package: povray); not measured")
         if "--gradients" in arguments:
             return gradients(program, names, folder)
-        compare(program, names, "--quick" in arguments, folder)
+        modes = [m == "trace" for m in ("cast", "trace") if "--mode" not in arguments or m in arguments]
+        compare(program, names, modes, "--quick" in arguments, folder)
 
 
 if __name__ == "__main__":
