@@ -8,8 +8,9 @@ usage: bench/povray.py GRAZE_RENDER [--quick] [--mode cast|trace] [--scene NAME]
 
 Both sides on one thread, in turn in one run; rendering alone, as each tells it: POV-Ray's CPU-seconds
 of tracing, and graze-render's seconds by the clock, the octree's included, or the processor time of
-its process less that of graze-render --version (libraries are loaded), where that is less. The least of 3 (of what takes less than a second, 9; of what
-takes more than 5 s, 1): on a machine that does other things the median is of those. Needs povray 3.7 (Debian's package: povray).
+its process less that of graze-render --version (libraries are loaded), where that is less. Each the
+least of 3 runs; of 9 where graze-render takes less than a second, of 1 for what takes more than 5 s:
+medians would tell of what else the machine does. Needs povray 3.7 (Debian's package: povray).
 
 The same domain as the container box (open: its faces are no surface), camera, lights, 512x512, no
 anti-aliasing, accuracy 1e-9; in tracing shadows and five reflections. max_gradient, on which
