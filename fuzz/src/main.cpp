@@ -202,7 +202,8 @@ int list() {
   for (const traversal_entry& e : traversals())
     fmt::print("  {:<31} {}\n", e.name, e.summary);
   fmt::print("traversals of others\n");
-  for (const auto* entries : {&adapters(), &linked_traversals()})
+  const std::vector<traversal_entry> libraries = library_traversals();
+  for (const auto* entries : {&adapters(), &linked_traversals(), &libraries})
     for (const traversal_entry& e : *entries)
       fmt::print("  {:<31} {}\n", e.name, e.summary);
   fmt::print("traversals that are wrong on purpose\n");
@@ -217,7 +218,6 @@ int list() {
 } // namespace
 
 int main(int argc, char** argv) {
-  add_traversals(library_traversals());
   CLI::App app{"Finds octants that a ray traversal misses, with an exact oracle."};
   app.footer(examples);
   app.require_subcommand(1);

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <graze/fuzz/external.hpp>
 #include <graze/fuzz/number.hpp>
+#include <graze/fuzz/replay.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -287,6 +288,21 @@ TEST_CASE("graze-fuzz run --command: a crash is shrunk, and replayed", "[unit]")
   const auto again = support::call(GRAZE_FUZZ, "replay --json " + file + " " + command("exit"));
   CHECK(again.code == 1);
   CHECK(nlohmann::json::parse(again.out)["findings"] == nlohmann::json::array({"crash"}));
+}
+
+TEST_CASE("graze-fuzz replay: a library's adapter is asked with the options that were given",
+          "[regression]") {
+  const support::scratch dir;
+  const std::string program = dir / "graze-adapter-octomap";
+  std::ofstream(program) << "#!/bin/sh\necho 'a word of the library' >&2\n";
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const trial t = make_trial(generators().front(), 1, 0, 10);
+  std::ofstream(dir / "ray.jsonl") << to_json_line(t) << '\n';
+  const auto o =
+      support::call(GRAZE_FUZZ, "replay " + (dir / "ray.jsonl") + " --traversal octomap-ray-keys",
+                    "GRAZE_ADAPTERS='" + (dir / "") + "' ");
+  CHECK(o.code == 1); // it ends before it answers: a crash
+  CHECK(o.err.find("a word of the library") != std::string::npos);
 }
 
 TEST_CASE("graze-fuzz campaign --command: goes on, and its findings replay as it says", "[unit]") {
