@@ -324,8 +324,8 @@ def show_octree(data):
     words = "; ".join(f"{scene} {r['seconds']['median'] / r['leaves'] * 1e9:.0f} ns and "
                       f"{r['bytes'] / r['leaves']:.2f} bytes an octant" for scene, r in deepest.items())
     levels = [r["level"] for r in data["octree"]]
-    caption = (f"Voxelization from level {min(levels)} to level {max(levels)}, one thread: above a fixed cost, time and "
-               f"bytes follow the octants that the surface meets, four times as many with each level. At the deepest "
+    caption = (f"Voxelization from level {min(levels)} to level {max(levels)}, one thread: above a fixed cost, time "
+               f"and bytes follow the octants that the surface meets, four times as many with each level. At the deepest "
                f"level: {words}. Memory is above the program's own {size_of(data['start_bytes'])}, from 1 MiB on; "
                "dotted, the file that is written.")
     return [page.heading("The octree's level"), page.figure(svg, caption)]
@@ -356,8 +356,8 @@ def show_pixels(data):
                       for m, line in lines.items())
     largest = rows["certified"][-1]["size"]
     caption = (f"Pictures of tanglecube on one thread; the descent goes to NL = 30, its octree included. At "
-               f"{largest}x{largest} the descent takes {ratio:.1f} times as long as certified hits. Memory is a line of "
-               f"the pixels: {words}.")
+               f"{largest}x{largest} the descent takes {ratio:.1f} times as long as certified hits. Memory is a line "
+               f"of the pixels: {words}.")
     return [page.heading("Pixels"), page.figure(svg, caption)]
 
 
@@ -369,8 +369,8 @@ def show_formulas(data):
                        "log_x": True, "log_y": True, "title": title})
         for method, rows in by(data[part], "method").items():
             growth = rows[-1]["seconds"]["median"] / rows[0]["seconds"]["median"]
-            words.append(f"{rows[-1][key]} {'terms' if part == 'terms' else 'balls'} take {growth:.1f} times as long as "
-                         f"{rows[0][key]} ({method})")
+            words.append(f"{rows[-1][key]} {'terms' if part == 'terms' else 'balls'} take {growth:.1f} times as long "
+                         f"as {rows[0][key]} ({method})")
     some = data["spheres"][0]
     caption = (f"Pictures of formulas on one thread, {some['pixels']} pixels. Left: min(...) of balls whose "
                "cross-sections together stay the same; right: a ball's polynomial with small monomials of degree 3 to "
@@ -418,8 +418,8 @@ def show_exponents(data):
                        "pixels that meet nothing)."),
             page.table(["path", "ns for a further level", "ns at NL = 0", "R²", "points",
                         "ns above the line at NL = 53"], lines,
-                       "Time of a ray as a line of NL up to 50, least squares. At NL = 53 an octant is a few ulps wide, "
-                       "and enclosures can no longer tell it from its neighbours: more are opened.")]
+                       "Time of a ray as a line of NL up to 50, least squares. At NL = 53 an octant is a few ulps "
+                       "wide, and enclosures can no longer tell it from its neighbours: more are opened.")]
 
 
 def summary(data):
@@ -430,8 +430,8 @@ def summary(data):
     sentences = [f"The descent's time against NL is a line with R² {fit['r_squared']:.3f}: "
                  f"{plus_minus(fit['slope'], fit['slope_error'], 1)} ns a ray for each further level ({best}, NL up to "
                  "50).",
-                 f"Fitted exponents of time: voxelization by octants {plus_minus(voxel['exponent'], voxel['error'])}, a "
-                 f"certified picture by pixels {plus_minus(pixel['exponent'], pixel['error'])}."]
+                 f"Fitted exponents of time: voxelization by octants {plus_minus(voxel['exponent'], voxel['error'])}, "
+                 f"a certified picture by pixels {plus_minus(pixel['exponent'], pixel['error'])}."]
     threads_most = max((n for _, n, _, _ in speed_ups(data)), default=None)
     if threads_most:
         ups = [up for _, n, up, _ in speed_ups(data) if n == threads_most]
