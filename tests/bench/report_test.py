@@ -156,7 +156,7 @@ def test_failure(folder):
         context.missing("Arb <2>", "libflint-arb-dev", "not installed")
         context.run(["bash", "-c", "echo no luck >&2; exit 3"])
 
-    modules = {"bad": stub("bad", fails), "slow": stub("slow", lambda c: c.run(["sleep", "9"], timeout=0.2)),
+    modules = {"bad": stub("bad", fails), "slow": stub("slow", lambda c: c.run(["sleep", "40"], timeout=0.2)),
                "odd": stub("odd", lambda c: {}["key"]), "broken": "No module named 'x'",
                "good": stub("good", lambda c: {"said": str(c.measured(["true"]).peak_bytes > 0)})}
     code, out, err = run(["--out", str(folder)], modules)
@@ -164,6 +164,7 @@ def test_failure(folder):
     sections = json.loads((folder / "report.json").read_text())["sections"]
     check(sections["bad"]["error"] == "bash ended with 3: no luck", sections["bad"])
     check(sections["slow"]["error"] == "sleep took longer than 0.2 s", sections["slow"])
+    check(sections["slow"]["seconds"] < 30, "the time's end was not obeyed")
     check(sections["odd"]["error"] == "KeyError: 'key'", sections["odd"])
     check(sections["broken"]["error"] == "No module named 'x'", sections["broken"])
     check(sections["good"]["data"] == {"said": "True"}, sections["good"])

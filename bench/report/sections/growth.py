@@ -325,8 +325,8 @@ def show_octree(data):
                       f"{r['bytes'] / r['leaves']:.2f} bytes an octant" for scene, r in deepest.items())
     levels = [r["level"] for r in data["octree"]]
     caption = (f"Voxelization from level {min(levels)} to level {max(levels)}, one thread: above a fixed cost, time "
-               f"and bytes follow the octants that the surface meets, four times as many with each level. At the deepest "
-               f"level: {words}. Memory is above the program's own {size_of(data['start_bytes'])}, from 1 MiB on; "
+               "and bytes follow the octants that the surface meets, four times as many with each level. At the "
+               f"deepest level: {words}. Memory is above the program's own {size_of(data['start_bytes'])}, from 1 MiB on; "
                "dotted, the file that is written.")
     return [page.heading("The octree's level"), page.figure(svg, caption)]
 
