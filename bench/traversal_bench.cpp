@@ -29,7 +29,7 @@ struct options {
   int repetitions = 5;
   int size = 512;
   bool json = false;
-  std::string scene; ///< of `table` and `error`: only this one
+  std::string scene; ///< of `surface`, `table` and `error`: only this one
 
   [[nodiscard]] bool wants(const char* name) const { return scene.empty() || scene == name; }
 };
@@ -44,6 +44,16 @@ double seconds() {
 double median(std::vector<double> x) {
   std::sort(x.begin(), x.end());
   return x[x.size() / 2];
+}
+
+/// Seconds: median and quartiles.
+struct spread {
+  double low, middle, high;
+};
+
+spread spread_of(std::vector<double> x) {
+  std::sort(x.begin(), x.end());
+  return {x[x.size() / 4], x[x.size() / 2], x[x.size() - 1 - x.size() / 4]};
 }
 
 /// DESIGN's camera, without its framing: size x size rays.
@@ -61,12 +71,15 @@ std::vector<ray> camera_rays(double scale, int size) {
 
 /// One line of the result: a scene, an octree's level, NL, and a contender.
 void print(const options& how, const char* scene, const char* what, const char* path, int stored,
-           int levels, double steps, double rate, double milliseconds) {
+           int levels, double steps, double rays, const spread& t) {
+  const double rate = rays / t.middle, milliseconds = 1e3 * t.middle;
   if (how.json)
     std::printf("{\"scene\": \"%s\", \"what\": \"%s\", \"path\": \"%s\", \"octree_level\": %d, "
-                "\"levels\": %d, \"steps_per_ray\": %.2f, \"rays_per_second\": %.0f, "
-                "\"milliseconds\": %.3f}\n",
-                scene, what, path, stored, levels, steps, rate, milliseconds);
+                "\"levels\": %d, \"steps_per_ray\": %.2f, \"rays\": %.0f, "
+                "\"rays_per_second\": %.0f, \"milliseconds\": %.4f, \"milliseconds_low\": %.4f, "
+                "\"milliseconds_high\": %.4f, \"repetitions\": %d}\n",
+                scene, what, path, stored, levels, steps, rays, rate, milliseconds, 1e3 * t.low,
+                1e3 * t.high, how.repetitions);
   else if (std::strcmp(what, "voxelize") == 0)
     std::printf("%-10s voxelize  level %2d         %-8s %8.2f ms\n", scene, stored, path,
                 milliseconds);
@@ -122,14 +135,14 @@ void first_hits(const options& how, const char* scene, const box& domain,
                      },
                      {}});
   measure(all, how.repetitions);
-  for (const contender& c : all) {
-    const double t = median(c.times);
+  for (const contender& c : all)
     print(how, scene, "first_hit", c.name.c_str(), stored, levels, steps,
-          static_cast<double>(rays.size()) / t, 1e3 * t);
-  }
+          static_cast<double>(rays.size()), spread_of(c.times));
 }
 
 template <class F> void surface(const options& how, const char* scene, double scale, double reach) {
+  if (!how.wants(scene))
+    return;
   const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
   const std::vector<ray> rays = camera_rays(scale, how.size);
   {
@@ -150,7 +163,7 @@ template <class F> void surface(const options& how, const char* scene, double sc
                    {}});
     measure(all, std::max(9, how.repetitions));
     for (const contender& c : all)
-      print(how, scene, "voxelize", c.name.c_str(), 9, 9, 0, 0, 1e3 * median(c.times));
+      print(how, scene, "voxelize", c.name.c_str(), 9, 9, 0, 0, spread_of(c.times));
   }
   for (const int levels : {10, 15, 20, 25, 30, 35, 40, 45, 50, 53})
     first_hits<F>(how, scene, domain, rays, 9, levels, true);

@@ -130,16 +130,16 @@ def number_axis(axis, low, high):
     """Plain numbers where there are few decades, powers of ten elsewhere."""
     if 1e-3 <= low and high < 1e5:
         axis.set_major_formatter(ticker.FuncFormatter(lambda v, _: f"{v:g}"))
-        if high / low < 30:
+        if high / low < 100:
             axis.set_minor_formatter(ticker.FuncFormatter(few_minor))
         else:
             axis.set_minor_formatter(ticker.NullFormatter())
 
 
-def ticks_at(ax, values):
-    """Ticks at the few values that were measured."""
-    if len(values) <= 10:
-        ax.set_xticks(values, [f"{v:g}" for v in values])
+def ticks_at(ax, ticks):
+    """Ticks {value: label} where they are few."""
+    if 0 < len(ticks) <= 10:
+        ax.set_xticks(list(ticks), ticks.values())
         ax.set_xticks([], minor=True)
 
 
@@ -217,7 +217,8 @@ def overlap(a, b):
 
 def outside(box, frame):
     """By how many pixels a rectangle leaves the axes."""
-    return sum(max(0, v) for v in (frame.x0 - box[0], box[2] - frame.x1 - 20, frame.y0 - box[1], box[3] - frame.y1 - 20))
+    return sum(max(0, v) for v in (frame.x0 - box[0], box[2] - frame.x1 - 20, frame.y0 - box[1],
+                                   box[3] - frame.y1 - 20))
 
 
 def legend_of(fig):
@@ -242,12 +243,12 @@ def scatter(points, x_label, y_label, title="", log_x=True, log_y=True, marked_l
     return finish(fig)
 
 
-def draw_lines(ax, series, x_label, y_label, title="", log_x=False, log_y=False):
+def draw_lines(ax, series, x_label, y_label, title="", log_x=False, log_y=False, x_ticks=None):
     """Series on axes that may be one panel of several; see lines."""
     every = {a: [v for s in series for k in (a, f"{a}_low", f"{a}_high") for v in s.get(k) or []] for a in "xy"}
     if log_x:
         axis_scale(ax, "x", every["x"], True)
-        ticks_at(ax, sorted(set(every["x"])))
+    ticks_at(ax, x_ticks or ({v: f"{v:g}" for v in sorted(set(every["x"]))} if log_x else {}))
     axis_scale(ax, "y", every["y"], log_y)
     for s in series:
         shade, marker = look(s["library"])
@@ -267,22 +268,27 @@ def draw_lines(ax, series, x_label, y_label, title="", log_x=False, log_y=False)
 
 
 @drawn
-def lines(series, x_label, y_label, title="", log_x=False, log_y=False, width=900, height=440):
-    """Series dict(library, x, y, label=, y_low=, y_high=, dashed=False, marked=[...]); bands are quartiles."""
+def lines(series, x_label, y_label, title="", log_x=False, log_y=False, x_ticks=None, width=900, height=440):
+    """Series dict(library, x, y, label=, colour=, marker=, y_low=, y_high=, dashed=False, marked=[...]); bands are
+    quartiles. x_ticks: {value: label}."""
     fig, ax = new(width, height)
-    draw_lines(ax, series, x_label, y_label, title, log_x, log_y)
+    draw_lines(ax, series, x_label, y_label, title, log_x, log_y, x_ticks)
     legend_of(fig)
     return finish(fig)
 
 
 @drawn
 def line_panels(panels, width=900, height=400):
-    """Several of `lines` side by side: [dict(series, x_label, y_label, title=, log_x=, log_y=)]."""
+    """Several of `lines` side by side: [dict(series, x_label, y_label, title=, log_x=, log_y=)]; a panel has a legend
+    where a name of it was in no panel before."""
     fig, axes = new(width, height, 1, len(panels), squeeze=False)
+    named = set()
     for ax, panel in zip(axes[0], panels):
         draw_lines(ax, **panel)
-        if len(panel["series"]) > 1:
+        names = set(ax.get_legend_handles_labels()[1])
+        if len(names) > 1 and not names <= named:
             ax.legend(loc="best")
+        named |= names
     return finish(fig)
 
 
@@ -307,7 +313,7 @@ def bars(groups, y_label, x_label="", title="", log_y=False, width=900, height=4
     fig, ax = new(width, height)
     axis_scale(ax, "y", [v for g in groups for b in g["bars"] for v in (b["y"], b.get("y_high"))], log_y)
     libraries = list(dict.fromkeys(b["library"] for g in groups for b in g["bars"]))
-    wide = 0.82 / len(libraries)
+    wide = min(0.82 / len(libraries), 0.4)
     for k, library in enumerate(libraries):
         here = [(at, b) for at, g in enumerate(groups) for b in g["bars"] if b["library"] == library]
         xs = [at + (k - (len(libraries) - 1) / 2) * wide for at, _ in here]
