@@ -1,9 +1,9 @@
 #pragma once
-/// inari (Rust) behind the C interface of bench/inari, loaded at run time: GRAZE_INARI names the
-/// library, which cargo makes (see bench/inari/src/lib.rs).
+/// inari (Rust) behind the C interface of bench/inari (src/lib.rs there), loaded at run time from
+/// where the target graze-inari puts it.
 #include <cstddef>
-#include <cstdlib>
 #include <dlfcn.h>
+#include <fstream>
 #include <string>
 
 namespace graze::bench {
@@ -18,9 +18,8 @@ public:
   using unary = void (*)(std::size_t, const inari_number*, inari_number*);
   using binary = void (*)(std::size_t, const inari_number*, const inari_number*, inari_number*);
 
-  /// The one that the environment variable GRAZE_INARI names.
   static const inari_library& get() {
-    static const inari_library library(std::getenv("GRAZE_INARI"));
+    static const inari_library library(GRAZE_BENCH_INARI);
     return library;
   }
   /// Why there is none; empty if there is.
@@ -44,19 +43,16 @@ private:
     double lower, upper;
   };
 
-  explicit inari_library(const char* path) {
-    if (!path || !*path)
-      missing_ = "the environment variable GRAZE_INARI names no library";
-    else if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
-      missing_ = "it is compiled for AVX2 and FMA, which this processor lacks";
-    else if (!(handle_ = dlopen(path, RTLD_NOW | RTLD_LOCAL)))
-      missing_ = dlerror();
+  explicit inari_library(const std::string& folder) {
+    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
+      missing_ = "this processor lacks AVX2 or FMA";
+    else if (!(handle_ = dlopen((folder + "/release/libgraze_inari.so").c_str(), RTLD_NOW)))
+      if (std::ifstream file(folder + "/missing.txt"); !std::getline(file, missing_))
+        missing_ = "the target graze-inari has not been built";
     if (!missing_.empty())
       return;
     make_ = find<decltype(make_)>("make");
     ends_ = find<decltype(ends_)>("ends");
-    if (!make_ || !ends_)
-      missing_ = std::string(path) + " is not the library of bench/inari";
   }
   template <class Function> Function find(const char* name) const {
     return reinterpret_cast<Function>(dlsym(handle_, (std::string("graze_inari_") + name).c_str()));
