@@ -1,5 +1,6 @@
 """Expressions on which floating point fails: does the answer hold the true value, and how wide is it?"""
 import math
+import re
 
 from report import page
 from report.sections.interval_libraries import name, tell_missing
@@ -48,7 +49,7 @@ def width_text(answer):
 def point_cell(answer):
     """Plain double's: right, next to it, or how far off."""
     if answer["verdict"] in ("holds", "useless"):
-        return page.Raw(GOOD + ", by luck")
+        return page.Raw(GOOD.replace("holds", "exact"))
     if "error" not in answer:
         return page.bad("overflow")
     if float(answer["true"]) == 0:
@@ -66,7 +67,7 @@ def cell(answer):
         return point_cell(answer)
     verdict = answer["verdict"]
     if verdict == "wrong":
-        return page.bad(f"wrong, {width_text(answer)}")
+        return page.bad(f"wrong: {interval_text(answer)}")
     if verdict == "no answer":
         return page.Raw(USELESS.replace("holds, useless", "no answer"))
     if verdict == "has no such function":
@@ -75,7 +76,7 @@ def cell(answer):
     return page.Raw(words + ("; proves a root" if answer.get("proves") else ""))
 
 
-def outward(x, up, digits=8):
+def outward(x, up, digits=12):
     """A decimal no less (no greater) than x."""
     text = f"{x:.{digits - 1}e}"
     if not math.isfinite(x) or float(text) == x or (float(text) > x) == up:
@@ -99,14 +100,15 @@ def shorter(text):
 def interval_text(answer):
     if answer is None or "lower" not in answer:
         return "-"
-    lower, upper = (float.fromhex(answer[k]) for k in ("lower", "upper"))
+    lower, upper = (float.fromhex(answer[k]) + 0.0 for k in ("lower", "upper"))  # no -0
     return f"{lower:.17g}" if lower == upper else f"[{outward(lower, False)}, {outward(upper, True)}]"
 
 
 def true_text(answer):
     """Twelve digits of the true value."""
-    value = answer["true"]
-    return value if len(value) < 14 else f"{float(value):.12g}…" if abs(float(value)) < math.inf else value
+    mantissa, e, power = answer["true"].partition("e")
+    short = re.match(r"-?[0.]*(\d\.?){0,12}", mantissa)[0]
+    return answer["true"] if len(short) >= len(mantissa) else f"{short}…{e}{power}"
 
 
 def counts(data, library):
@@ -148,13 +150,15 @@ def verdict_text(data):
     for library, formulas in wrong(data):
         words.append(f"{name(library)} is wrong on {'; '.join(formulas)}.")
     if ours.get("useless"):
-        words.append(f"{ours['useless']} of Graze's answers hold the value and tell no digit of it: no interval "
-                     "arithmetic on one evaluation of these formulas in 53 bits can, they need more bits or another "
-                     "formula.")
+        words.append(f"{ours['useless']} of Graze's answers hold the value and tell no digit of it: evaluated "
+                     "in 53 bits, these formulas need more bits or another form.")
     narrower = [(x, f, q) for x, f, q in widths(data) if q < 1]
     if narrower:
         words.append("Narrower than Graze and sound: " + "; ".join(f"{name(x)} on {f} ({q:.2g} of the width)"
                                                                    for x, f, q in narrower) + ".")
+        if any(x == "Arb" for x, _, _ in narrower):
+            words.append("(A ball's radius may be far below an ulp of its midpoint; an inexact value between doubles "
+                         "is at least an ulp wide.)")
     return " ".join(words)
 
 
@@ -181,9 +185,8 @@ def show(data):
                   "where they are no doubles. The true value is MPFR's with 4,000 bits, checked with 2,000. "
                   f"Repeated by <code>{page.escape(data['command'])}</code>.</p>"),
         page.table(heads, rows, "Does the answer hold the true value? Widths in ulps of the true value. "
-                   "<i>holds</i>; <i>holds, useless</i>: wider than the value itself (than 1/2 where it is 0); "
-                   "<i>wrong</i>: the true value is outside; for plain double the error. ".replace("<i>", "").replace(
-                       "</i>", "") + verdict_text(data)),
+                   "Useless: wider than the value itself (than 1/2 where it is 0). Wrong: the true value is outside; for "
+                   "plain double its error. " + verdict_text(data)),
         page.table(["expression", "true value", "Graze's enclosure, rounded outwards", "plain double's answer"], answers,
                    "The answers themselves."),
     ]
