@@ -19,7 +19,7 @@ def measure(context):
     start, base = min(s.processor for s in starts), statistics.median([s.peak_bytes for s in starts])
     parts = {"nl": levels_of_descent, "octree": octree_levels, "pixels": pixels, "spheres": spheres, "terms": terms,
              "threads": threads, "campaign": campaign_threads}
-    data = {"start_seconds": start, "start_bytes": base, "cores": len(os.sched_getaffinity(0))}
+    data = {"load": os.getloadavg()[0], "start_seconds": start, "start_bytes": base, "cores": len(os.sched_getaffinity(0))}
     for name, part in parts.items():
         context.progress(name)
         data[name] = part(context, start)
@@ -117,7 +117,7 @@ def formulas(context, start, key, counts, formula):
     cases = [{"method": m, key: n} for m in METHODS for n in counts]
     return in_turn(cases, lambda c: render(context, start, ["--formula", formula(c[key]), *common,
                                                             *METHODS[c["method"]]]),
-                   context.share(5, 1), least=1 if context.quick else 3)
+                   context.share(5, 3))
 
 
 def spheres(context, start):
@@ -401,7 +401,7 @@ def show_threads(data):
                         x_ticks={n: str(n) for n in sorted({1, *(r[1] for r in rows)})})
     blocks.append(page.figure(svg, f"Times as fast as one thread, by the clock; the dotted line is the ideal. {only} "
                               "Pictures and campaigns share nothing but their result among threads; what else the "
-                              "machine does lowers the lines."))
+                              f"machine does moves the lines (its load before: {data.get('load', 0):.1f})."))
     memory = "; ".join(f"{r['threads']}: {size_of(r['peak_bytes'])}" for r in data["threads"]
                        if r["method"] == "certified")
     return [*blocks, page.table(["work", "threads", "speed-up", "of the ideal"], rows,
