@@ -21,7 +21,7 @@ using namespace graze::bench::shell;
 
 /// |p - (1/2, 1/2, 1/2)| = 2/5.
 struct shell {
-  static constexpr bool tight_extension = true;
+  static constexpr bool natural_extension_suffices = true;
   template <class N> N operator()(const N& x, const N& y, const N& z) const {
     using c = constants<N>;
     return sqr(x - c::exact(0.5)) + sqr(y - c::exact(0.5)) + sqr(z - c::exact(0.5)) -
