@@ -28,7 +28,9 @@ LOOKS = {
     "published": ("#d55e00", "s"), "plain": ("#a65628", "<"), "gargantini": ("#8c564b", "^"),
     "revelles": ("#b0579a", ">"), "amanatides": ("#c99700", "h"), "slab": ("#7a7a00", "P"), "pcl": ("#5b8c00", "8"),
     "octomap": ("#e377c2", "*"), "openvdb": ("#ff7f0e", "H"), "nanovdb": ("#c45b00", "d"), "embree": ("#505050", "X"),
-    "pov": ("#d55e00", "s"),
+    "pov": ("#009e73", "v"), "fidget": ("#b0579a", "P"), "certified hits": ("#002b55", "H"),
+    "descent avx512": ("#0b5fa5", "o"), "descent avx2": ("#00a3d7", "D"), "descent baseline": ("#6f8fd8", "s"),
+    "descent upward": ("#5a6b80", "p"),
 }
 SPARE = ["#3f6b2a", "#7b4fa0", "#a31f50", "#4c7f8c", "#8a6d00", "#555555"]
 WRONG = "#d00000"
@@ -174,6 +176,7 @@ def draw_scatter(ax, points, x_label, y_label, title="", log_x=True, log_y=True,
     ax.set_xlabel(x_label)
     ax.set_ylabel(y_label)
     ax.set_title(title)
+    ax.graze_points = [(p["x"], p["y"]) for p in placed]
     if texts:
         ax.graze_texts = [(p["x"], p["y"], p["text"], colour(p["library"])) for p in placed if p.get("text")]
 
@@ -188,7 +191,8 @@ def place_texts(fig):
         canvas.draw()
         renderer = canvas.get_renderer()
         spots = [ax.transData.transform((x, y)) for x, y, _, _ in items]
-        taken = [(x - 5, y - 5, x + 5, y + 5) for x, y in spots]
+        points = [ax.transData.transform(p) for p in ax.graze_points]
+        taken = [(x - 5, y - 5, x + 5, y + 5) for x, y in points]
         frame = ax.get_window_extent(renderer)
         for (x, y, words, shade), (px, py) in zip(items, spots):
             best = None
