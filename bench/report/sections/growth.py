@@ -19,7 +19,8 @@ def measure(context):
     start, base = min(s.processor for s in starts), statistics.median([s.peak_bytes for s in starts])
     parts = {"nl": levels_of_descent, "octree": octree_levels, "pixels": pixels, "spheres": spheres, "terms": terms,
              "threads": threads, "campaign": campaign_threads}
-    data = {"load": os.getloadavg()[0], "start_seconds": start, "start_bytes": base, "cores": len(os.sched_getaffinity(0))}
+    data = {"load": os.getloadavg()[0], "start_seconds": start, "start_bytes": base,
+            "cores": len(os.sched_getaffinity(0))}
     for name, part in parts.items():
         context.progress(name)
         data[name] = part(context, start)
