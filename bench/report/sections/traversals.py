@@ -205,11 +205,11 @@ def introduction(data):
     timing = data["timing"]
     return (f"<p>All occupied voxels on a ray. <b>Speed</b>: a sphere shell at level {timing['level']} "
             f"({timing['voxels']:,} voxels), the same random rays for all, one core; {timing['blocks']} blocks of "
-            "rays, each by all contenders in turn in one program; medians of the blocks with their quartiles; the thread's "
-            "own processor time. Grid walks, octrees and boxes are built on these voxels before. <b>Errors</b>: rays "
+            "rays, each by all contenders in turn in one program; medians of the blocks with their quartiles; the "
+            "thread's own processor time. Grid walks, octrees and boxes are built on these voxels before. <b>Errors</b>: rays "
             "through and a few units in the last place beside vertices, edges and planes of the octants, from far "
-            "away, subnormal, huge, nearly parallel (18 generators), in a block of up to 64 octants; the exact answer is "
-            "rational arithmetic's, and a library is judged on the ray that it really got, rounded to float where it "
+            "away, subnormal, huge, nearly parallel (18 generators), in a block of up to 64 octants; the exact answer "
+            "is rational arithmetic's, and a library is judged on the ray that it really got, rounded to float where it "
             "works in float. A <i>miss</i> is a voxel that is left out although the ray crosses its open interior, "
             "which is wrong under every convention; graze is held to what it promises beyond that (a voxel touched, or "
             "owned, counts). <i>Spurious</i>: reported, not touched; graze's exact, owned mode must not report a "
@@ -308,8 +308,8 @@ def spurious_caption(rows):
     words = ["Right is faster, down is better."]
     if sound and exact:
         cost = 1 - exact.rates["median"] / sound.rates["median"]
-        words.append(f"graze's sound mode may report octants within its rounding: {first(sound, spurious):.2g} a ray on "
-                     "rays that lie within ulps of them; exact mode reports none, for "
+        words.append("graze's sound mode may report octants within its rounding: "
+                     f"{first(sound, spurious):.2g} a ray on rays that lie within ulps of them; exact mode reports none, for "
                      f"{percent(max(cost, 0))} of the speed.")
     less = [row for row in timed if row.kind != "graze" and sound and 0 < first(row, spurious) < first(sound, spurious)]
     if less:
@@ -347,9 +347,9 @@ def main_table(rows):
                       "-" if c is None or not taken(c) else f"{spurious(c):.3g}",
                       "-" if c is None else f"{c['finding']}, {c['faults']} of {c['rays'] - c['declined']:,}"
                       if c["faults"] else "0"])
-    return heads, cells, ("Speed and error of every traversal. In brackets, where none was missed: 95 % confidence that "
-                          "the share is below 3/N. Gross: a ray is in a missed voxel on more than 1e-3 of its edge. Not "
-                          "timed: it does not go through all voxels of an octree, or answers voxel by voxel. Of CGAL's "
+    return heads, cells, ("Speed and error of every traversal. In brackets, where none was missed: 95 % confidence "
+                          "that the share is below 3/N. Gross: a ray is in a missed voxel on more than 1e-3 of its "
+                          "edge. Not timed: it does not go through all voxels of an octree, or answers voxel by voxel. Of CGAL's "
                           "rays by two points (EPICK) those are judged whose origin + direction is exact.")
 
 
@@ -373,7 +373,7 @@ def shell_table(data):
                           f"{c['judged'][k]['doubles']:,}" for k in kinds)] for c in data["timing"]["contestants"]]
     n = data["timing"]["contestants"][0]["judged"][kinds[0]]["rays"]
     return (["traversal", *kinds], rows,
-            f"On the voxels of the timing, {n:,} rays of each kind: rays with a crossed voxel left out / voxels reported "
-            "and not touched / voxels reported again. Adversarial rays pass within a few units in the last place of the "
-            "shell's vertices and edges; those in float are doubles that float holds, so that no contender rounds "
+            f"On the voxels of the timing, {n:,} rays of each kind: rays with a crossed voxel left out / voxels "
+            "reported and not touched / voxels reported again. Adversarial rays pass within a few units in the last "
+            "place of the shell's vertices and edges; those in float are doubles that float holds, so that no contender rounds "
             "them. Those in double are rounded by PCL, OctoMap, NanoVDB and Embree, which then answer for another ray.")
