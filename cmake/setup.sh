@@ -1,4 +1,4 @@
-# Sourced by ./run and ./check: installs Debian's packages and builds a preset.
+# Sourced by ./run, ./check and bench/graze-report: installs Debian's packages and builds a preset.
 
 graze_packages=(
   gcc g++ cmake ninja-build make
@@ -7,6 +7,14 @@ graze_packages=(
   clang-19 libclang-rt-19-dev
   coq libcoq-flocq ocaml-nox ocaml-findlib libzarith-ocaml-dev gappa
   python3 python3-venv python3-distributed
+)
+
+# What bench/graze-report measures besides, and draws with. Each is optional: what cannot be installed is
+# named on the report's page.
+graze_report_packages=(
+  python3-matplotlib povray
+  libcgal-dev libmpfi-dev libflint-dev libflint-arb-dev
+  liboctomap-dev libopenvdb-dev libnanovdb-dev libpcl-dev libeigen3-dev libembree-dev
 )
 
 # Cargo fetches the pinned sources of CORE-MATH and CRlibm. Debian's own cargo (1.65) is too old for
@@ -19,13 +27,17 @@ graze_cargo_package() {
     echo cargo-web
 }
 
+graze_missing() { # PACKAGE...: those that dpkg does not have
+  local package
+  for package; do
+    dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -q '^installed$' || echo "$package"
+  done
+}
+
 # Installs what dpkg does not have; does nothing, at once, when all is there.
 graze_install() {
-  local missing=() package
-  for package in "${graze_packages[@]}" $(graze_cargo_package); do
-    dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -q '^installed$' ||
-      missing+=("$package")
-  done
+  local missing
+  mapfile -t missing < <(graze_missing "${graze_packages[@]}" $(graze_cargo_package))
   ((${#missing[@]})) || return 0
   echo "installing: ${missing[*]}"
   local as_root=()
@@ -41,6 +53,33 @@ graze_install() {
     tail -n 20 "$log" >&2
     echo "the packages could not be installed" >&2
     exit 1
+  fi
+  rm -f "$log"
+}
+
+# graze_install_optional PACKAGE...: installs what it can of the packages, all at once or else one by
+# one, and names the others; never fails.
+graze_install_optional() {
+  local missing absent as_root=() package log
+  missing=$(graze_missing "$@")
+  [[ -n $missing ]] || return 0
+  echo "installing, if possible:" $missing
+  if ((EUID != 0)); then
+    command -v sudo >/dev/null || { echo "needs root or sudo: goes on without" $missing >&2; return 0; }
+    as_root=(sudo)
+  fi
+  log=$(mktemp)
+  local get=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends)
+  "${as_root[@]}" apt-get update -q >"$log" 2>&1 || true
+  if ! "${get[@]}" $missing >>"$log" 2>&1; then
+    for package in $missing; do
+      "${get[@]}" "$package" >>"$log" 2>&1 || true
+    done
+  fi
+  absent=$(graze_missing "$@")
+  if [[ -n $absent ]]; then
+    tail -n 3 "$log" >&2
+    echo "could not be installed, and will be named as missing:" $absent >&2
   fi
   rm -f "$log"
 }
@@ -73,4 +112,19 @@ graze_build() {
   mkdir -p "build/$preset"
   cmake --preset "$preset" ${CI:+-DGRAZE_WERROR=ON} >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
   cmake --build --preset "$preset" ${1:+--target "$@"}
+}
+
+# graze_build_some PRESET TARGET...: as graze_build, without the targets that this configuration does
+# not have (their library is missing); those that fail to compile do not stop the others.
+graze_build_some() {
+  local preset=$1 target known wanted=()
+  shift
+  graze_build "$preset" help >"build/$preset/targets.txt"
+  for target; do
+    known=0
+    grep -q "^$target: phony\$" "build/$preset/targets.txt" && known=1
+    ((known)) && wanted+=("$target") || echo "not built here: $target"
+  done
+  ((${#wanted[@]} == 0)) || cmake --build --preset "$preset" --target "${wanted[@]}" -- -k 0 ||
+    echo "not everything could be built" >&2
 }

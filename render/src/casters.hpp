@@ -1,6 +1,7 @@
 #pragma once
 /// What casters have in common, whatever finds their first hits.
 #include <algorithm>
+#include <array>
 #include <graze/octree/lane_kernels.hpp>
 #include <graze/render/scene.hpp>
 #include <optional>
@@ -53,10 +54,14 @@ public:
       work_->first_hits(rays, hits, counts);
       return;
     }
-    std::vector<octree::certified_hit> found(rays.size());
-    along_->first_hits(rays, found, counts != nullptr ? &counts->cells_opened : nullptr);
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      hits[i] = {found[i].outcome, found[i].t_near, found[i].t_far, {{}, 0}, false};
+    std::array<octree::certified_hit, 256> found;
+    for (std::size_t from = 0; from < rays.size(); from += found.size()) {
+      const std::size_t count = std::min(found.size(), rays.size() - from);
+      along_->first_hits(rays.subspan(from, count), {found.data(), count},
+                         counts != nullptr ? &counts->cells_opened : nullptr);
+      for (std::size_t i = 0; i < count; ++i)
+        hits[from + i] = {found[i].outcome, found[i].t_near, found[i].t_far, {{}, 0}, false};
+    }
   }
   vec3 gradient(const vec3& point) const override { return octree::normal(f_, point); }
   void depart(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,

@@ -3,12 +3,13 @@
 #include "shader.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <future>
 #include <limits>
-#include <mutex>
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
@@ -23,157 +24,134 @@ std::array<float, 3> narrow(const std::array<double, 3>& c) {
   return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
 }
 
-/// What all threads share. Each pixel depends on nothing but its own rays, and sums of integers and
-/// greatest numbers on no order, so that the order in which tiles are taken cannot be seen.
-class tiles {
+/// One thread's part of the work, a tile at a time. Each pixel depends on nothing but its own rays,
+/// and sums of integers and greatest numbers on no order, so that the order in which tiles are
+/// taken cannot be seen. Its buffers are kept from tile to tile: given back to the system and asked
+/// for again, they cost more than the rays.
+class worker {
 public:
-  tiles(const scene& s, const caster& work, const settings& how, rendering& target)
-      : scene_(s), work_(work), how_(how), target_(target),
-        across_((target.part.size.width + tile_side - 1) / tile_side),
-        down_((target.part.size.height + tile_side - 1) / tile_side) {}
+  worker(const scene& s, const caster& work, const settings& how, rendering& target)
+      : scene_(s), work_(work), how_(how), target_(target), shader_(s, work, how.how),
+        place_(target.part) {}
 
-  [[nodiscard]] int count() const { return across_ * down_; }
-  [[nodiscard]] std::uint64_t pixels_done() const { return done_.load(std::memory_order_relaxed); }
-
-  void render(int tile) {
-    const window& part = target_.part;
-    const int left = tile % across_ * tile_side, top = tile / across_ * tile_side;
-    const int right = std::min(left + tile_side, part.size.width);
-    const int bottom = std::min(top + tile_side, part.size.height);
-    tally counts;
-    one_tile work(*this, {left, top, {right - left, bottom - top}}, counts);
-    work.run();
-    done_.fetch_add(counts.pixels, std::memory_order_relaxed);
-    const std::lock_guard lock(mutex_);
-    target_.counts += counts;
+  /// `place` is relative to the rendering's part.
+  void render(const window& place) {
+    place_ = place;
+    sums_.assign(place.size.count(), colour{});
+    colours_.resize(place.size.count());
+    const int side = how_.sampling;
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) {
+        const bool centre = 2 * i + 1 == side && 2 * j + 1 == side;
+        cast(side, i, j, centre);
+        shader_.look(rays_, hits_, colours_, counts_);
+        for (std::size_t k = 0; k < sums_.size(); ++k)
+          for (std::size_t c = 0; c < 3; ++c)
+            sums_[k][c] += colours_[k][c];
+        if (centre)
+          note_facts();
+      }
+    if (side % 2 == 0) {
+      cast(1, 0, 0, true);
+      note_facts();
+    }
+    for (std::size_t k = 0; k < sums_.size(); ++k) {
+      for (double& c : sums_[k])
+        c /= side * side;
+      target_.pixels[at(k)].colour = narrow(sums_[k]);
+    }
+    counts_.pixels += sums_.size();
   }
 
+  [[nodiscard]] const tally& counts() const { return counts_; }
+
 private:
-  /// A tile while it is rendered; its place is relative to the rendering's part.
-  class one_tile {
-  public:
-    one_tile(const tiles& all, const window& place, tally& counts)
-        : all_(all), place_(place), counts_(counts), shader_(all.scene_, all.work_, all.how_.how),
-          sums_(place.size.count()), colours_(place.size.count()) {}
-
-    void run() {
-      const int side = all_.how_.sampling;
-      for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
-          const bool centre = 2 * i + 1 == side && 2 * j + 1 == side;
-          cast(side, i, j, centre);
-          shader_.look(rays_, hits_, colours_, counts_);
-          for (std::size_t k = 0; k < sums_.size(); ++k)
-            for (std::size_t c = 0; c < 3; ++c)
-              sums_[k][c] += colours_[k][c];
-          if (centre)
-            note_facts();
-        }
-      if (side % 2 == 0) {
-        cast(1, 0, 0, true);
-        note_facts();
-      }
-      for (std::size_t k = 0; k < sums_.size(); ++k) {
-        for (double& c : sums_[k])
-          c /= side * side;
-        all_.target_.pixels[at(k)].colour = narrow(sums_[k]);
-      }
-      counts_.pixels += sums_.size();
+  /// Casts ray (i, j) of side^2 of every pixel.
+  void cast(int side, int i, int j, bool centre) {
+    const window& part = target_.part;
+    const extent& whole = target_.whole;
+    rays_.clear();
+    for (int row = 0; row < place_.size.height; ++row)
+      for (int column = 0; column < place_.size.width; ++column)
+        rays_.push_back(scene_.view.ray_through((part.column + place_.column + column) * side + i,
+                                                (part.row + place_.row + row) * side + j,
+                                                whole.width * side, whole.height * side));
+    hits_.resize(rays_.size());
+    counts_.camera_rays += rays_.size();
+    if (!centre || !how_.facts) {
+      work_.first_hits(rays_, hits_, &counts_.visited);
+      return;
     }
-
-  private:
-    /// Casts ray (i, j) of side^2 of every pixel.
-    void cast(int side, int i, int j, bool centre) {
-      const window& part = all_.target_.part;
-      const extent& whole = all_.target_.whole;
-      rays_.clear();
-      for (int row = 0; row < place_.size.height; ++row)
-        for (int column = 0; column < place_.size.width; ++column)
-          rays_.push_back(all_.scene_.view.ray_through(
-              (part.column + place_.column + column) * side + i,
-              (part.row + place_.row + row) * side + j, whole.width * side, whole.height * side));
-      hits_.resize(rays_.size());
-      counts_.camera_rays += rays_.size();
-      if (!centre || !all_.how_.facts) {
-        all_.work_.first_hits(rays_, hits_, &counts_.visited);
-        return;
-      }
-      steps_.clear(); // one by one: the same hits, and each ray's own count
-      for (std::size_t k = 0; k < rays_.size(); ++k) {
-        octree::traversal_counts own;
-        all_.work_.first_hits({&rays_[k], 1}, {&hits_[k], 1}, &own);
-        steps_.push_back(own.cells_opened);
-        counts_.visited.cells_opened += own.cells_opened;
-        counts_.visited.leaves_kept += own.leaves_kept;
-      }
+    steps_.clear(); // one by one: the same hits, and each ray's own count
+    for (std::size_t k = 0; k < rays_.size(); ++k) {
+      octree::traversal_counts own;
+      work_.first_hits({&rays_[k], 1}, {&hits_[k], 1}, &own);
+      steps_.push_back(own.cells_opened);
+      counts_.visited.cells_opened += own.cells_opened;
+      counts_.visited.leaves_kept += own.leaves_kept;
     }
+  }
 
-    void note_facts() {
-      for (std::size_t k = 0; k < rays_.size(); ++k) {
-        const octree::surface_hit& h = hits_[k];
-        const vec3& d = rays_[k].direction();
-        const double unit = std::sqrt(detail::dot(d, d));
-        constexpr float infinity = std::numeric_limits<float>::infinity();
-        float& depth = all_.target_.pixels[at(k)].depth;
-        switch (h.outcome) {
-        case octree::verdict::miss:
-          ++counts_.misses;
-          depth = infinity;
-          break;
-        case octree::verdict::undecided:
-          ++counts_.undecided;
-          depth = static_cast<float>(h.t_near * unit);
-          break;
-        case octree::verdict::hit:
-          ++counts_.hits;
-          depth = static_cast<float>(middle(h) * unit);
-          break;
-        }
-        if (!all_.how_.facts)
-          continue;
-        pixel_facts& f = all_.target_.facts[at(k)];
-        f.verdict = static_cast<int>(h.outcome);
-        f.steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(steps_[k], ~std::uint32_t{0}));
-        if (h.outcome == octree::verdict::miss)
-          continue;
-        // sqrt and products: 4 roundings, so 2^-24 more than covers them
-        f.depth_width = std::nextafter(
-            static_cast<float>((h.t_far - h.t_near) * unit * (1 + 0x1p-24)), infinity);
-        if (h.t_far == h.t_near)
-          f.depth_width = 0;
-        if (h.outcome == octree::verdict::undecided)
-          continue;
-        const vec3 point = point_at(rays_[k], middle(h));
-        f.normal = narrow(facing_normal(all_.work_.gradient(point), d));
-        f.object = static_cast<int>(all_.work_.object_at(point));
+  void note_facts() {
+    for (std::size_t k = 0; k < rays_.size(); ++k) {
+      const octree::surface_hit& h = hits_[k];
+      const vec3& d = rays_[k].direction();
+      const double unit = std::sqrt(detail::dot(d, d));
+      constexpr float infinity = std::numeric_limits<float>::infinity();
+      float& depth = target_.pixels[at(k)].depth;
+      switch (h.outcome) {
+      case octree::verdict::miss:
+        ++counts_.misses;
+        depth = infinity;
+        break;
+      case octree::verdict::undecided:
+        ++counts_.undecided;
+        depth = static_cast<float>(h.t_near * unit);
+        break;
+      case octree::verdict::hit:
+        ++counts_.hits;
+        depth = static_cast<float>(middle(h) * unit);
+        break;
       }
+      if (!how_.facts)
+        continue;
+      pixel_facts& f = target_.facts[at(k)];
+      f.verdict = static_cast<int>(h.outcome);
+      f.steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(steps_[k], ~std::uint32_t{0}));
+      if (h.outcome == octree::verdict::miss)
+        continue;
+      // sqrt and products: 4 roundings, so 2^-24 more than covers them
+      f.depth_width =
+          std::nextafter(static_cast<float>((h.t_far - h.t_near) * unit * (1 + 0x1p-24)), infinity);
+      if (h.t_far == h.t_near)
+        f.depth_width = 0;
+      if (h.outcome == octree::verdict::undecided)
+        continue;
+      const vec3 point = point_at(rays_[k], middle(h));
+      f.normal = narrow(facing_normal(work_.gradient(point), d));
+      f.object = static_cast<int>(work_.object_at(point));
     }
+  }
 
-    /// The place of the tile's pixel k in the rendering.
-    [[nodiscard]] std::size_t at(std::size_t k) const {
-      const auto width = static_cast<std::size_t>(place_.size.width);
-      const std::size_t row = static_cast<std::size_t>(place_.row) + k / width;
-      return row * static_cast<std::size_t>(all_.target_.part.size.width) +
-             static_cast<std::size_t>(place_.column) + k % width;
-    }
-
-    const tiles& all_;
-    const window place_;
-    tally& counts_;
-    shader shader_;
-    std::vector<colour> sums_, colours_;
-    std::vector<octree::ray> rays_;
-    std::vector<octree::surface_hit> hits_;
-    std::vector<std::uint64_t> steps_;
-  };
+  /// The place of the tile's pixel k in the rendering.
+  [[nodiscard]] std::size_t at(std::size_t k) const {
+    const auto width = static_cast<std::size_t>(place_.size.width);
+    const std::size_t row = static_cast<std::size_t>(place_.row) + k / width;
+    return row * static_cast<std::size_t>(target_.part.size.width) +
+           static_cast<std::size_t>(place_.column) + k % width;
+  }
 
   const scene& scene_;
   const caster& work_;
   const settings& how_;
   rendering& target_;
-  const int across_, down_;
-  std::atomic<std::uint64_t> done_{0};
-  std::mutex mutex_;
+  shader shader_;
+  tally counts_;
+  window place_; ///< the tile in hand
+  std::vector<colour> sums_, colours_;
+  std::vector<octree::ray> rays_;
+  std::vector<octree::surface_hit> hits_;
+  std::vector<std::uint64_t> steps_;
 };
 
 } // namespace
@@ -207,25 +185,42 @@ rendering render_picture(const scene& s, const caster& work, const settings& how
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  tiles all(s, work, how, result);
+  tbb::enumerable_thread_specific<worker> workers([&] { return worker(s, work, how, result); });
+  const extent& size = result.part.size;
+  const int across = (size.width + tile_side - 1) / tile_side,
+            down = (size.height + tile_side - 1) / tile_side;
+  const auto place_of = [&](int tile) {
+    const int left = tile % across * tile_side, top = tile / across * tile_side;
+    return window{left,
+                  top,
+                  {std::min(tile_side, size.width - left), std::min(tile_side, size.height - top)}};
+  };
+  std::atomic<std::uint64_t> done{0};
   std::future<void> running = std::async(std::launch::async, [&] {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, how.threads);
     tbb::task_arena arena(static_cast<int>(how.threads));
     arena.execute([&] {
       tbb::parallel_for(
-          tbb::blocked_range<int>(0, all.count(), 1),
+          tbb::blocked_range<int>(0, across * down, 1),
           [&](const tbb::blocked_range<int>& range) {
-            for (int tile = range.begin(); tile < range.end(); ++tile)
-              if (stop == nullptr || !stop->load(std::memory_order_relaxed))
-                all.render(tile);
+            worker& mine = workers.local();
+            for (int tile = range.begin(); tile < range.end(); ++tile) {
+              if (stop != nullptr && stop->load(std::memory_order_relaxed))
+                continue;
+              const window place = place_of(tile);
+              mine.render(place);
+              done.fetch_add(place.size.count(), std::memory_order_relaxed);
+            }
           },
           tbb::simple_partitioner());
     });
   });
   while (running.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
     if (report)
-      report(all.pixels_done(), count, elapsed());
+      report(done.load(std::memory_order_relaxed), count, elapsed());
   running.get();
+  for (const worker& w : workers)
+    result.counts += w.counts();
   result.seconds = elapsed();
   result.complete = result.counts.pixels == count;
   return result;

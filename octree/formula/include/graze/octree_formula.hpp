@@ -64,7 +64,7 @@ public:
   [[nodiscard]] bool continuous() const { return program_->continuous; }
   /// The natural interval extension is the range but for rounding, so that a mean value form cannot
   /// be tighter (of min and max, as in surfaces.hpp: their lower, or upper, end).
-  [[nodiscard]] bool extension_is_tight() const { return program_->tight; }
+  [[nodiscard]] bool natural_extension_suffices() const { return program_->tight; }
   [[nodiscard]] const tape::program& program() const { return *program_; }
 
 private:

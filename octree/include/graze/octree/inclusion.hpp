@@ -62,8 +62,8 @@ template <rounding::Backend B, Surface F> [[nodiscard]] bool has_no_zero(const F
   const bound3<B> x = intervals<B>(b);
   if (excludes_zero(natural_extension<B>(f, x)))
     return true;
-  if constexpr (!has_tight_extension<F>())
-    return !extension_is_tight(f) &&
+  if constexpr (!natural_extension_suffices<F>())
+    return !natural_extension_suffices(f) &&
            excludes_zero(mean_value_form<B>(f, x, value_and_gradient<B>(f, x).partial));
   return false;
 }

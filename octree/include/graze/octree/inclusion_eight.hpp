@@ -83,15 +83,15 @@ template <class Path> GRAZE_BATCH_INLINE unsigned excludes_zero(const interval8<
 }
 
 /// has_no_zero of inclusion.hpp in each of `wanted`'s lanes (a bit of the others has no meaning):
-/// by the natural extension and, for a surface without a tight one, by the mean value form where
-/// that leaves a wanted lane open. Domain: boxes that are not empty in the wanted lanes.
+/// by the natural extension and, for a surface of which that does not suffice, by the mean value form
+/// where it leaves a wanted lane open. Domain: boxes that are not empty in the wanted lanes.
 template <class Path, class F>
 GRAZE_BATCH_INLINE unsigned have_no_zero(const F& f, const eight_boxes<Path>& b, unsigned wanted) {
   using I = interval8<Path>;
   const I x = b.axis(0), y = b.axis(1), z = b.axis(2);
   unsigned none = excludes_zero(f(x, y, z));
-  if constexpr (!has_tight_extension<F>()) {
-    if ((wanted & ~none) != 0 && !extension_is_tight(f)) {
+  if constexpr (!natural_extension_suffices<F>()) {
+    if ((wanted & ~none) != 0 && !natural_extension_suffices(f)) {
       using d = dual<I>;
       const d at = f(d::variable(x, 0), d::variable(y, 1), d::variable(z, 2));
       const auto centre = [](const I& t) {

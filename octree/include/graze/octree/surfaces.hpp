@@ -14,19 +14,20 @@ concept Surface = requires(const F f, double x) {
   { f(x, x, x) } -> std::same_as<double>;
 };
 
-/// True for a formula whose natural interval extension is its range but for rounding, so that a
-/// mean value form cannot be tighter. `static constexpr bool tight_extension = true` in the surface
-/// says so.
-template <class F> consteval bool has_tight_extension() {
-  if constexpr (requires { F::tight_extension; })
-    return F::tight_extension;
+/// True for a surface of which the mean value form is not asked for: the natural interval extension
+/// is its range but for rounding, or so near to it that the mean value form costs more than it
+/// saves (graze-inclusion-bench). `static constexpr bool natural_extension_suffices = true` in the
+/// surface says so. A bound holds either way.
+template <class F> consteval bool natural_extension_suffices() {
+  if constexpr (requires { F::natural_extension_suffices; })
+    return F::natural_extension_suffices;
   return false;
 }
-/// The same of an object whose type does not know: its member extension_is_tight() says so.
-template <class F> bool extension_is_tight(const F& f) {
-  if constexpr (requires { f.extension_is_tight(); })
-    return f.extension_is_tight();
-  return has_tight_extension<F>();
+/// The same of an object whose type does not know: its member natural_extension_suffices() says so.
+template <class F> bool natural_extension_suffices(const F& f) {
+  if constexpr (requires { f.natural_extension_suffices(); })
+    return f.natural_extension_suffices();
+  return natural_extension_suffices<F>();
 }
 
 /// f is defined and continuous at every point of space, as a surface is taken to be unless its
@@ -41,7 +42,7 @@ template <class F> bool is_continuous(const F& f) {
 /// The union of nine balls: the least of nine |p - centre|^2 - radius^2.
 /// All centres and squared radii are exact doubles.
 struct spheres {
-  static constexpr bool tight_extension = true;
+  static constexpr bool natural_extension_suffices = true;
   struct sphere {
     std::array<double, 3> centre;
     double radius;
@@ -73,7 +74,7 @@ struct spheres {
 
 /// (x^2-1)^2 + (y^2-1)^2 + (z^2-1)^2 - 1
 struct quartdef {
-  static constexpr bool tight_extension = true;
+  static constexpr bool natural_extension_suffices = true;
   template <class N> N operator()(const N& x, const N& y, const N& z) const {
     const auto one = constants<N>::exact(1);
     return sqr(sqr(x) - one) + sqr(sqr(y) - one) + sqr(sqr(z) - one) - one;
@@ -83,7 +84,7 @@ struct quartdef {
 /// x^4-5x^2 + y^4-5y^2 + z^4-5z^2 + 59/5, the decimal 11.8 being meant as a real number; each
 /// x^4-5x^2 is (x^2-5/2)^2 - 25/4, and 3*25/4 - 59/5 = 139/20.
 struct tanglecube {
-  static constexpr bool tight_extension = true;
+  static constexpr bool natural_extension_suffices = true;
   template <class N> N operator()(const N& x, const N& y, const N& z) const {
     const auto shift = constants<N>::exact(2.5);
     return sqr(sqr(x) - shift) + sqr(sqr(y) - shift) + sqr(sqr(z) - shift) -
@@ -93,7 +94,7 @@ struct tanglecube {
 
 /// x^3 - x + y^3 - y + z^3 - z
 struct holesrot {
-  static constexpr bool tight_extension = true;
+  static constexpr bool natural_extension_suffices = true;
   template <class N> N operator()(const N& x, const N& y, const N& z) const {
     return cube_minus_identity(x) + cube_minus_identity(y) + cube_minus_identity(z);
   }

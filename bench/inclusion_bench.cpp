@@ -1,0 +1,291 @@
+// graze-inclusion-bench: what the form of a surface's inclusion function costs. Ray casting as in
+// the paper's Table 1 (octree to level 9, NL 30, scalar code, backend upward), the forms of a scene
+// in turn. One core; medians of the thread's own processor time.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <graze/functions/trigonometric.hpp>
+#include <graze/octree/asterisk.hpp>
+#include <graze/octree/surface_traversal.hpp>
+#include <graze/octree/voxelizer.hpp>
+#include <memory>
+#include <string>
+#include <time.h>
+#include <vector>
+
+namespace {
+using namespace graze;
+using namespace graze::octree;
+
+struct options {
+  int repetitions = 3, size = 256, levels = 30;
+  bool json = false;
+  std::string scene;
+};
+
+double seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// F's natural extension and nothing else: to call it tight leaves out the mean value form.
+template <class F> struct natural : F {
+  static constexpr bool natural_extension_suffices = true;
+};
+/// F's natural extension and, where that does not exclude 0, its mean value form.
+template <class F> struct with_mean_value : F {
+  static constexpr bool natural_extension_suffices = false;
+};
+
+// The same functions, less well written.
+
+/// x^4 and x^2 by products: each factor is taken for an independent variable.
+struct tanglecube_products {
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    const auto five = constants<N>::exact(5);
+    return x * x * x * x - x * x * five + (y * y * y * y - y * y * five) +
+           (z * z * z * z - z * z * five) + constants<N>::template rational<59, 5>();
+  }
+};
+/// As printed: x^4 - 5 x^2, each power tight by itself.
+struct tanglecube_powers {
+  template <class N> static N part(const N& x) {
+    const N square = sqr(x);
+    return sqr(square) - square * constants<N>::exact(5);
+  }
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    return part(x) + part(y) + part(z) + constants<N>::template rational<59, 5>();
+  }
+};
+/// x^2 (x^2 - 5)
+struct tanglecube_factors {
+  template <class N> static N part(const N& x) {
+    const N square = sqr(x);
+    return square * (square - constants<N>::exact(5));
+  }
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    return part(x) + part(y) + part(z) + constants<N>::template rational<59, 5>();
+  }
+};
+/// x^4 - 2 x^2 + y^4 - 2 y^2 + z^4 - 2 z^2 + 2
+struct quartdef_powers {
+  template <class N> static N part(const N& x) {
+    const N square = sqr(x);
+    return sqr(square) - square * constants<N>::exact(2);
+  }
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    return part(x) + part(y) + part(z) + constants<N>::exact(2);
+  }
+};
+/// x x x - x
+struct holesrot_products {
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    return x * x * x - x + (y * y * y - y) + (z * z * z - z);
+  }
+};
+/// x (x^2 - 1)
+struct holesrot_factors {
+  template <class N> static N part(const N& x) { return x * (sqr(x) - constants<N>::exact(1)); }
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    return part(x) + part(y) + part(z);
+  }
+};
+/// x^2 - 2 a x + y^2 - 2 b y + z^2 - 2 c z + (a^2 + b^2 + c^2 - r^2) of each sphere; the constants
+/// are exact doubles.
+struct spheres_powers {
+  template <class N> static N part(const spheres::sphere& s, const N& x, const N& y, const N& z) {
+    using c = constants<N>;
+    const auto& [a, b, d] = s.centre;
+    return sqr(x) - x * c::exact(2 * a) + (sqr(y) - y * c::exact(2 * b)) +
+           (sqr(z) - z * c::exact(2 * d)) + c::exact(a * a + b * b + d * d - s.radius * s.radius);
+  }
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    N least = part(spheres::parts[0], x, y, z);
+    for (std::size_t i = 1; i < spheres::parts.size(); ++i)
+      least = lesser(least, part(spheres::parts[i], x, y, z));
+    return least;
+  }
+};
+/// The paper's formula by the interval functions sin and atan2; derivatives as the asterisk's.
+template <int M, int N> struct asterisk_sines : asterisk<M, N> {
+  using asterisk<M, N>::operator();
+  template <class Policies>
+  boost::numeric::interval<double, Policies>
+  operator()(const boost::numeric::interval<double, Policies>& x,
+             const boost::numeric::interval<double, Policies>& y,
+             const boost::numeric::interval<double, Policies>& z) const {
+    using interval = boost::numeric::interval<double, Policies>;
+    const interval square = sqr(x) + sqr(y), rho = graze::sqrt(square);
+    return graze::sin(interval(double{M}) * graze::atan2(y, x)) *
+               graze::sin(interval(double{N}) * graze::atan2(rho, z)) -
+           graze::sqrt(square + sqr(z));
+  }
+};
+
+/// DESIGN's camera, without its framing: size x size rays.
+std::vector<ray> camera_rays(double scale, int size) {
+  std::vector<ray> rays;
+  for (int j = 0; j < size; ++j)
+    for (int i = 0; i < size; ++i) {
+      const double u = (i + 0.5) / size - 0.5, v = 0.5 - (j + 0.5) / size;
+      rays.push_back(*ray::make({3 * scale, 2 * scale, 6 * scale},
+                                {-3 + u * 3.578125 + v * -0.51171875, -2 + v * 3.8330078125,
+                                 -6 + u * -1.7890625 + v * -1.0224609375}));
+    }
+  return rays;
+}
+
+/// A form of a scene's inclusion function.
+struct form {
+  std::string name;
+  std::size_t octants = 0; ///< of the octree
+  double voxelization = 0; ///< seconds
+  std::function<traversal_counts(std::vector<surface_hit>&)> run;
+  std::vector<double> times;
+  std::vector<surface_hit> hits;
+  traversal_counts counts;
+};
+
+template <class F>
+form make_form(const char* name, const options& how, const box& domain,
+               const std::vector<ray>& rays) {
+  const double start = seconds();
+  auto octree = voxelize(F{}, domain, 9);
+  form r;
+  r.name = name;
+  r.voxelization = seconds() - start;
+  if (!octree)
+    std::abort();
+  r.octants = octree->node_count() + octree->leaf_count();
+  const auto kept = std::make_shared<const sparse_octree>(std::move(*octree));
+  const auto made = surface_traversal<F>::make(F{}, domain, *kept, how.levels);
+  if (!made)
+    std::abort();
+  r.run = [t = *made, kept, &rays](std::vector<surface_hit>& hits) {
+    traversal_counts counts;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      hits[i] = t.first_hit(rays[i], &counts);
+    return counts;
+  };
+  return r;
+}
+
+template <class F> struct named {
+  const char* name;
+};
+
+/// The last form is the one in use.
+template <class... F>
+void scene(const options& how, const char* name, double scale, double reach, named<F>... forms) {
+  if (!how.scene.empty() && how.scene != name)
+    return;
+  const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
+  const std::vector<ray> rays = camera_rays(scale, how.size);
+  std::vector<form> all;
+  (all.push_back(make_form<F>(forms.name, how, domain, rays)), ...);
+  for (int r = 0; r < how.repetitions; ++r)
+    for (form& f : all) {
+      if (!f.times.empty() && f.times[0] > 5)
+        continue;
+      f.hits.resize(rays.size());
+      const double start = seconds();
+      f.counts = f.run(f.hits);
+      f.times.push_back(seconds() - start);
+    }
+  const auto median = [](form& f) {
+    std::sort(f.times.begin(), f.times.end());
+    return f.times[f.times.size() / 2];
+  };
+  const double in_use = median(all.back()), count = static_cast<double>(rays.size());
+  for (form& f : all) {
+    int hits = 0, undecided = 0;
+    for (const surface_hit& h : f.hits) {
+      hits += h.outcome == verdict::hit;
+      undecided += h.outcome == verdict::undecided;
+    }
+    const double t = median(f), opened = static_cast<double>(f.counts.cells_opened) / count;
+    if (how.json)
+      std::printf("{\"scene\": \"%s\", \"form\": \"%s\", \"octants\": %zu, \"voxelize_seconds\": "
+                  "%.4f, \"opened_per_ray\": %.2f, \"seconds\": %.4f, \"times\": %.3f, \"rays\": "
+                  "%zu, \"hits\": %d, \"undecided\": %d}\n",
+                  name, f.name.c_str(), f.octants, f.voxelization, opened, t, t / in_use,
+                  rays.size(), hits, undecided);
+    else
+      std::printf("| %s | %s | %zu | %.3f | %.1f | %.3f | %.2f | %d | %d |\n", name, f.name.c_str(),
+                  f.octants, f.voxelization, opened, t, t / in_use, hits, undecided);
+  }
+  std::fflush(stdout);
+}
+
+int complain(const char* why) {
+  std::fprintf(stderr,
+               "graze-inclusion-bench: %s\nusage: graze-inclusion-bench [--repetitions N] [--size "
+               "PIXELS] [--levels NL] [--scene NAME] [--json]\n",
+               why);
+  return 2;
+}
+} // namespace
+
+int main(int argc, char** argv) {
+  options how;
+  for (int i = 1; i < argc; ++i) {
+    const std::string a = argv[i];
+    const auto number = [&](int& to, int least, int most) {
+      to = i + 1 < argc ? std::atoi(argv[++i]) : 0;
+      return to >= least && to <= most;
+    };
+    if (a == "--json")
+      how.json = true;
+    else if (a == "--scene" && i + 1 < argc)
+      how.scene = argv[++i];
+    else if ((a == "--repetitions" && number(how.repetitions, 1, 1000)) ||
+             (a == "--size" && number(how.size, 1, 4096)) ||
+             (a == "--levels" && number(how.levels, 9, 52)))
+      continue;
+    else
+      return complain(("bad option " + a).c_str());
+  }
+  if (!how.json)
+    std::printf("| scene | form | octants to level 9 | voxelization, s | octants opened a ray | "
+                "rays, s | times the form in use | hits | undecided |\n"
+                "|---|---|---|---|---|---|---|---|---|\n");
+  scene(how, "tanglecube", 2, 2.5, //
+        named<natural<tanglecube_products>>{"x x x x - 5 x x: natural"},
+        named<with_mean_value<tanglecube_products>>{"x x x x - 5 x x: natural, mean value"},
+        named<natural<tanglecube_powers>>{"x^4 - 5 x^2: natural"},
+        named<with_mean_value<tanglecube_powers>>{"x^4 - 5 x^2: natural, mean value"},
+        named<natural<tanglecube_factors>>{"x^2 (x^2 - 5): natural"},
+        named<with_mean_value<tanglecube>>{"(x^2 - 5/2)^2: natural, mean value"},
+        named<tanglecube>{"(x^2 - 5/2)^2: natural"});
+  scene(how, "quartdef", 1.125, 1.5, //
+        named<natural<quartdef_powers>>{"x^4 - 2 x^2: natural"},
+        named<with_mean_value<quartdef_powers>>{"x^4 - 2 x^2: natural, mean value"},
+        named<with_mean_value<quartdef>>{"(x^2 - 1)^2: natural, mean value"},
+        named<quartdef>{"(x^2 - 1)^2: natural"});
+  scene(how, "holesrot", 2, 2, //
+        named<natural<holesrot_products>>{"x x x - x: natural"},
+        named<with_mean_value<holesrot_products>>{"x x x - x: natural, mean value"},
+        named<natural<holesrot_factors>>{"x (x^2 - 1): natural"},
+        named<with_mean_value<holesrot_factors>>{"x (x^2 - 1): natural, mean value"},
+        named<with_mean_value<holesrot>>{"monotone pieces, mean value"},
+        named<holesrot>{"monotone pieces"});
+  scene(how, "spheres", 1.5, 2.5, //
+        named<natural<spheres_powers>>{"x^2 - 2 a x: natural"},
+        named<with_mean_value<spheres_powers>>{"x^2 - 2 a x: natural, mean value"},
+        named<with_mean_value<spheres>>{"(x - a)^2: natural, mean value"},
+        named<spheres>{"(x - a)^2: natural"});
+  scene(
+      how, "asterisk(3,4)", 0.5, 1, //
+      named<natural<asterisk_sines<3, 4>>>{"sines: natural"},
+      named<with_mean_value<asterisk<3, 4>>>{"monotone pieces of polynomials: natural, mean value"},
+      named<asterisk<3, 4>>{"monotone pieces of polynomials: natural"});
+  scene(how, "asterisk(9,18)", 0.5, 1, //
+        named<natural<asterisk_sines<9, 18>>>{"sines: natural"},
+        named<with_mean_value<asterisk<9, 18>>>{
+            "monotone pieces of polynomials: natural, mean value"},
+        named<asterisk<9, 18>>{"monotone pieces of polynomials: natural"});
+  return 0;
+}
