@@ -206,11 +206,11 @@ def introduction(data):
     return (f"<p>All occupied voxels on a ray. <b>Speed</b>: a sphere shell at level {timing['level']} "
             f"({timing['voxels']:,} voxels), the same random rays for all, one core; {timing['blocks']} blocks of "
             "rays, each by all contenders in turn in one program; medians of the blocks with their quartiles; the "
-            "thread's own processor time. Grid walks, octrees and boxes are built on these voxels before. <b>Errors</b>: rays "
-            "through and a few units in the last place beside vertices, edges and planes of the octants, from far "
+            "thread's own processor time. Grids, octrees and boxes are built on these voxels before. <b>Errors</b>: "
+            "rays through and a few units in the last place beside vertices, edges and planes of the octants, from far "
             "away, subnormal, huge, nearly parallel (18 generators), in a block of up to 64 octants; the exact answer "
-            "is rational arithmetic's, and a library is judged on the ray that it really got, rounded to float where it "
-            "works in float. A <i>miss</i> is a voxel that is left out although the ray crosses its open interior, "
+            "is rational arithmetic's, and a library is judged on the ray that it really got, rounded to float where "
+            "it works in float. A <i>miss</i> is a voxel that is left out although the ray crosses its open interior, "
             "which is wrong under every convention; graze is held to what it promises beyond that (a voxel touched, or "
             "owned, counts). <i>Spurious</i>: reported, not touched; graze's exact, owned mode must not report a "
             "touched one either that owns no point of the ray.</p>"
@@ -228,9 +228,13 @@ def best(rows):
     return max((row for row in rows if row.rates), key=lambda row: row.rates["median"], default=None)
 
 
-def told(rows, of=share):
-    """Names with their share of misses."""
-    return ", ".join(f"“{row.name}” ({percent(first(row, of))})" for row in rows)
+def told(rows):
+    """Names with their share of misses, the least first; of many the first and the last."""
+    rows = sorted(rows, key=lambda row: first(row, share))
+    words = [f"“{row.name}” ({percent(first(row, share))})" for row in rows]
+    if len(words) > 4:
+        words[3:] = [f"and {len(words) - 3} more, up to {words[-1]}"]
+    return ", ".join(words)
 
 
 def speed_sentences(rows):
@@ -253,12 +257,10 @@ def speed_sentences(rows):
     else:
         sentences.append("None of the others that were timed is without a miss on these rays.")
     if exact_scalar is not None:
-        quicker = sorted((row for row in others if row.rates["median"] > exact_scalar.rates["median"]),
-                         key=lambda row: -row.rates["median"])
-        sentences.append(f"Faster than graze's scalar exact code ({million(exact_scalar.rates['median'])} rays/s) are "
-                         f"{told(quicker)}; in brackets, what they miss. It goes through the octree one node at a "
-                         "time, with bounds rounded outwards and an exact test at the end, where graze's lanes take "
-                         "eight at once."
+        quicker = [row for row in others if row.rates["median"] > exact_scalar.rates["median"]]
+        sentences.append(f"Faster than graze's scalar exact code ({million(exact_scalar.rates['median'])} rays/s), "
+                         "which opens one node at a time with bounds rounded outwards where lanes take eight, are "
+                         f"{told(quicker)}; in brackets, what they miss."
                          if quicker else
                          "None is faster than graze's scalar exact code either.")
     return sentences
@@ -293,29 +295,29 @@ def times(lead, peer):
 
 
 def misses_caption(rows):
-    broken = [row.name for row in rows if row.at.get(LEVELS[0], {"faults": 0})["faults"]]
+    broken = dict.fromkeys(row.name.split(",")[0] for row in rows if row.rates and
+                           row.at.get(LEVELS[0], {"faults": 0})["faults"])
     return " ".join(["Right is faster, down is better; 0: none in the rays of the table; bars are quartiles. Of graze, "
                      "exact and closed.", *speed_sentences(rows),
-                     f"A red cross: rays without an answer too ({', '.join(broken)})." if broken else ""])
+                     f"A red cross: rays without an answer too ({', '.join(broken)})." if broken else ""]).rstrip()
 
 
 def spurious_caption(rows):
     timed = [row for row in rows if row.rates and first(row, spurious) is not None]
-    none = [row for row in timed if row.kind != "graze" and first(row, spurious) == 0]
-    ours = [row for row in timed if row.kind == "graze"]
-    sound = best([row for row in ours if row.name.startswith("sound")])
-    exact = best([row for row in ours if row.name.startswith("exact") and first(row, spurious) == 0])
+    others = [row for row in timed if row.kind != "graze"]
+    sound, exact = (best([row for row in timed if row.kind == "graze" and row.name.startswith(mode)])
+                    for mode in ("sound", "exact"))
     words = ["Right is faster, down is better."]
     if sound and exact:
         cost = 1 - exact.rates["median"] / sound.rates["median"]
-        words.append("graze's sound mode may report octants within its rounding: "
-                     f"{first(sound, spurious):.2g} a ray on rays that lie within ulps of them; exact mode reports none, for "
+        words.append(f"graze's sound mode may report octants within its rounding: {first(sound, spurious):.2g} a ray "
+                     f"here, where rays lie within ulps of them; exact mode reports {first(exact, spurious):.2g}, for "
                      f"{percent(max(cost, 0))} of the speed.")
-    less = [row for row in timed if row.kind != "graze" and sound and 0 < first(row, spurious) < first(sound, spurious)]
-    if less:
-        words.append(f"Fewer spurious visits than sound mode have {told(less)}; in brackets, what they miss.")
-    words.append(f"Of the others, without a spurious visit are {told(none)}." if none else
-                 "None of the others is without spurious visits.")
+        less = [row for row in others if first(row, spurious) < first(sound, spurious)]
+        if less:
+            words.append(f"Fewer than sound mode report {told(less)}; in brackets, what they miss.")
+    none = [row for row in others if first(row, spurious) == 0]
+    words.append(f"Without any of the others: {joined(none)}." if none else "All others report some.")
     return " ".join(words)
 
 
@@ -349,8 +351,8 @@ def main_table(rows):
                       if c["faults"] else "0"])
     return heads, cells, ("Speed and error of every traversal. In brackets, where none was missed: 95 % confidence "
                           "that the share is below 3/N. Gross: a ray is in a missed voxel on more than 1e-3 of its "
-                          "edge. Not timed: it does not go through all voxels of an octree, or answers voxel by voxel. Of CGAL's "
-                          "rays by two points (EPICK) those are judged whose origin + direction is exact.")
+                          "edge. Not timed: it does not go through all voxels of an octree, or answers voxel by voxel. "
+                          "Of CGAL's rays by two points (EPICK) those are judged whose origin + direction is exact.")
 
 
 def depth_table(rows):
@@ -375,5 +377,6 @@ def shell_table(data):
     return (["traversal", *kinds], rows,
             f"On the voxels of the timing, {n:,} rays of each kind: rays with a crossed voxel left out / voxels "
             "reported and not touched / voxels reported again. Adversarial rays pass within a few units in the last "
-            "place of the shell's vertices and edges; those in float are doubles that float holds, so that no contender rounds "
-            "them. Those in double are rounded by PCL, OctoMap, NanoVDB and Embree, which then answer for another ray.")
+            "place of the shell's vertices and edges; those in float are doubles that float holds, so that none "
+            "rounds them. Those in double are rounded by PCL, OctoMap, NanoVDB and Embree, which then answer for "
+            "another ray.")
