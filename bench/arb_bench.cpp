@@ -1,37 +1,21 @@
 // Arb (in Debian 12 a library of its own on FLINT) with 53 bits: balls, so that its enclosures are
 // not tightest.
-#if __has_include(<arb.h>)
-#include <arb.h>
-#else
-#include <flint/arb.h>
-#endif
+#include "arb_number.hpp"
 
 #include "measure.hpp"
 
 namespace graze::bench {
 
 namespace {
-constexpr slong precision = 53;
-struct arb_number {
-  arb_t value;
-  arb_number() { arb_init(value); }
-  ~arb_number() { arb_clear(value); }
-  arb_number(const arb_number&) = delete;
-  arb_number& operator=(const arb_number&) = delete;
-};
+constexpr slong precision = arb_number::precision;
 struct library {
   static constexpr const char* name = "Arb";
   using number = arb_number;
   struct scope {
     scope() {}
   };
-  static void assign(number& x, const ends& e) {
-    arf_t a, b;
-    arf_init(a), arf_init(b);
-    arf_set_d(a, e.lower), arf_set_d(b, e.upper);
-    arb_set_interval_arf(x.value, a, b, precision);
-    arf_clear(a), arf_clear(b);
-  }
+  static void assign(number& x, const ends& e) { x.assign(e.lower, e.upper); }
+  static enclosure enclosed(const number& x) { return {x.lower(), x.upper()}; }
 };
 using N = arb_number;
 } // namespace
@@ -46,12 +30,12 @@ void measure_arb() {
       f(r.value, x.value, y.value, precision);
     });
   };
-  binary("add", operands::mixed, arb_add);
-  binary("sub", operands::mixed, arb_sub);
-  binary("mul", operands::mixed, arb_mul);
-  binary("div", operands::mixed, arb_div);
-  unary("sqrt", operands::positive, arb_sqrt);
-  unary("sqr", operands::mixed, arb_sqr);
+  binary("add/mixed", operands::mixed, arb_add);
+  binary("sub/mixed", operands::mixed, arb_sub);
+  binary("mul/mixed", operands::mixed, arb_mul);
+  binary("div/mixed", operands::mixed, arb_div);
+  unary("sqrt/positive", operands::positive, arb_sqrt);
+  unary("sqr/mixed", operands::mixed, arb_sqr);
   for (const bool is_narrow : {true, false}) {
     const operands kind = is_narrow ? operands::narrow : operands::mixed;
     const auto named = [is_narrow](const char* f) {
@@ -65,6 +49,14 @@ void measure_arb() {
     unary(named("tan").c_str(), kind, arb_tan);
     unary(named("atan").c_str(), kind, arb_atan);
     binary(named("atan2").c_str(), kind, arb_atan2);
+    unary(named("sinh").c_str(), kind, arb_sinh);
+    unary(named("cosh").c_str(), kind, arb_cosh);
+    unary(named("tanh").c_str(), kind, arb_tanh);
+    const operands unit = is_narrow ? operands::unit_narrow : operands::unit;
+    unary(named("asin").c_str(), unit, arb_asin);
+    unary(named("acos").c_str(), unit, arb_acos);
+    binary(named("pow").c_str(), is_narrow ? operands::positive_narrow : operands::positive,
+           arb_pow);
     measure<library>(named("pown(x,4)").c_str(), kind, [](N& r, const N& x, const N&, const N&) {
       arb_pow_ui(r.value, x.value, 4, precision);
     });

@@ -1,13 +1,13 @@
 // graze-batch-bench: intervals in batches against plain vectorised double, in one run: 4,096 random
 // intervals of mixed sign, each path that the processor has. Repetitions are interleaved; the table
 // at the end holds the ratios of the medians.
+#include "aligned.hpp"
 #include "plain_vectorised.hpp"
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cstdio>
 #include <graze/batch.hpp>
 #include <map>
-#include <new>
 #include <random>
 #include <string>
 #include <vector>
@@ -19,17 +19,7 @@ namespace plain = graze::bench::plain;
 
 constexpr std::size_t n = 4096;
 
-/// Arrays begin at a register's boundary, for plain double as for intervals: else every access
-/// touches two cache lines.
-template <class T> struct aligned {
-  using value_type = T;
-  T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t{64}));
-  }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
-  bool operator==(const aligned&) const { return true; }
-};
-template <class T> using aligned_vector = std::vector<T, aligned<T>>;
+using graze::bench::aligned_vector;
 
 struct arrays {
   aligned_vector<double> lo = aligned_vector<double>(n), hi = aligned_vector<double>(n);

@@ -10,6 +10,7 @@ template <bool protect> struct library {
   using number = CGAL::Interval_nt<protect>;
   static number constant(double lower, double upper) { return {std::min(lower, upper), upper}; }
   static void assign(number& x, const ends& e) { x = number(e.lower, e.upper); }
+  static enclosure enclosed(const number& x) { return {x.inf(), x.sup()}; }
 };
 struct protecting : library<true> {
   static constexpr const char* name = "CGAL";

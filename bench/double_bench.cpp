@@ -2,7 +2,8 @@
 #include <cmath>
 
 namespace graze::bench {
-using std::atan, std::atan2, std::cos, std::exp, std::log, std::sin, std::sqrt, std::tan;
+using std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
+    std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
 static double square(double x) { return x * x; }
 static double pown(double x, int n) { return std::pow(x, n); }
 } // namespace graze::bench
@@ -18,18 +19,19 @@ struct plain {
     scope() {}
   };
   static void assign(double& x, const ends& e) { x = e.point; }
+  static enclosure enclosed(double x) { return {x, x}; }
 };
 } // namespace
 
 void measure_double() {
   using L = plain;
-  GRAZE_MEASURE("add", operands::mixed, x + y);
-  GRAZE_MEASURE("sub", operands::mixed, x - y);
-  GRAZE_MEASURE("mul", operands::mixed, x * y);
-  GRAZE_MEASURE("div", operands::mixed, x / y);
-  GRAZE_MEASURE("sqrt", operands::positive, sqrt(x));
-  GRAZE_MEASURE("sqr", operands::mixed, square(x));
-  measure<L>("polynomial", operands::mixed, [](double& r, double x, double y, double z) {
+  GRAZE_MEASURE("add/mixed", operands::mixed, x + y);
+  GRAZE_MEASURE("sub/mixed", operands::mixed, x - y);
+  GRAZE_MEASURE("mul/mixed", operands::mixed, x * y);
+  GRAZE_MEASURE("div/mixed", operands::mixed, x / y);
+  GRAZE_MEASURE("sqrt/positive", operands::positive, sqrt(x));
+  GRAZE_MEASURE("sqr/mixed", operands::mixed, square(x));
+  measure<L>("polynomial/mixed", operands::mixed, [](double& r, double x, double y, double z) {
     const double p = x * x, q = y * y, s = z * z;
     r = p * p - 5 * p + q * q - 5 * q + s * s - 5 * s + 11.8;
   });

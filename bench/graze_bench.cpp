@@ -1,15 +1,15 @@
 // graze::interval over its backends.
+#include "measure.hpp"
+#include <graze/batch.hpp>
 #include <graze/functions/exponential.hpp>
+#include <graze/functions/hyperbolic.hpp>
+#include <graze/functions/integer_power.hpp>
 #include <graze/functions/power.hpp>
 #include <graze/functions/trigonometric.hpp>
 #include <graze/interval.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/switching.hpp>
 #include <graze/rounding/upward.hpp>
-#if __has_include(<graze/functions/integer_power.hpp>)
-#include <graze/functions/integer_power.hpp>
-#endif
-#include "measure.hpp"
 
 namespace graze::bench {
 
@@ -18,6 +18,7 @@ template <class I> struct library {
   using number = I;
   static I constant(double lower, double upper) { return I(std::min(lower, upper), upper); }
   static void assign(I& x, const ends& e) { x = I(e.lower, e.upper); }
+  static enclosure enclosed(const I& x) { return {x.lower(), x.upper()}; }
 };
 template <class B> struct scoped : library<interval<B>> {
   struct scope {
@@ -39,6 +40,9 @@ struct upward_scoped : scoped<rounding::upward> {
 struct split : held_by_caller<rounding::split> {
   static constexpr const char* name = "unprotected<split>";
 };
+struct split_scoped : scoped<rounding::split> {
+  static constexpr const char* name = "interval<split>";
+};
 struct switching : scoped<rounding::switching> {
   static constexpr const char* name = "interval<switching>";
 };
@@ -50,6 +54,7 @@ void measure_graze() {
   measure_functions<nearest>();
   measure_arithmetic<split>();
   measure_arithmetic<upward_scoped>();
+  measure_arithmetic<split_scoped>();
   measure_arithmetic<switching>();
 }
 

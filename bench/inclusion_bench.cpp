@@ -1,6 +1,7 @@
 // graze-inclusion-bench: what the form of a surface's inclusion function costs. Ray casting as in
 // the paper's Table 1 (octree to level 9, NL 30, scalar code, backend upward), the forms of a scene
 // in turn. One core; medians of the thread's own processor time.
+#include "traversal_bench.hpp"
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -12,24 +13,16 @@
 #include <graze/octree/voxelizer.hpp>
 #include <memory>
 #include <string>
-#include <time.h>
 #include <vector>
 
 namespace {
 using namespace graze;
 using namespace graze::octree;
+using bench::camera_rays, bench::median, bench::seconds;
 
-struct options {
-  int repetitions = 3, size = 256, levels = 30;
-  bool json = false;
-  std::string scene;
+struct options : bench::options {
+  int resolution = 30; ///< NL
 };
-
-double seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// F's natural extension and nothing else: to call it tight leaves out the mean value form.
 template <class F> struct natural : F {
@@ -125,19 +118,6 @@ template <int M, int N> struct asterisk_sines : asterisk<M, N> {
   }
 };
 
-/// DESIGN's camera, without its framing: size x size rays.
-std::vector<ray> camera_rays(double scale, int size) {
-  std::vector<ray> rays;
-  for (int j = 0; j < size; ++j)
-    for (int i = 0; i < size; ++i) {
-      const double u = (i + 0.5) / size - 0.5, v = 0.5 - (j + 0.5) / size;
-      rays.push_back(*ray::make({3 * scale, 2 * scale, 6 * scale},
-                                {-3 + u * 3.578125 + v * -0.51171875, -2 + v * 3.8330078125,
-                                 -6 + u * -1.7890625 + v * -1.0224609375}));
-    }
-  return rays;
-}
-
 /// A form of a scene's inclusion function.
 struct form {
   std::string name;
@@ -161,7 +141,7 @@ form make_form(const char* name, const options& how, const box& domain,
     std::abort();
   r.octants = octree->node_count() + octree->leaf_count();
   const auto kept = std::make_shared<const sparse_octree>(std::move(*octree));
-  const auto made = surface_traversal<F>::make(F{}, domain, *kept, how.levels);
+  const auto made = surface_traversal<F>::make(F{}, domain, *kept, how.resolution);
   if (!made)
     std::abort();
   r.run = [t = *made, kept, &rays](std::vector<surface_hit>& hits) {
@@ -180,7 +160,7 @@ template <class F> struct named {
 /// The last form is the one in use.
 template <class... F>
 void scene(const options& how, const char* name, double scale, double reach, named<F>... forms) {
-  if (!how.scene.empty() && how.scene != name)
+  if (!how.wants(name))
     return;
   const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
   const std::vector<ray> rays = camera_rays(scale, how.size);
@@ -195,18 +175,14 @@ void scene(const options& how, const char* name, double scale, double reach, nam
       f.counts = f.run(f.hits);
       f.times.push_back(seconds() - start);
     }
-  const auto median = [](form& f) {
-    std::sort(f.times.begin(), f.times.end());
-    return f.times[f.times.size() / 2];
-  };
-  const double in_use = median(all.back()), count = static_cast<double>(rays.size());
+  const double in_use = median(all.back().times), count = static_cast<double>(rays.size());
   for (form& f : all) {
     int hits = 0, undecided = 0;
     for (const surface_hit& h : f.hits) {
       hits += h.outcome == verdict::hit;
       undecided += h.outcome == verdict::undecided;
     }
-    const double t = median(f), opened = static_cast<double>(f.counts.cells_opened) / count;
+    const double t = median(f.times), opened = static_cast<double>(f.counts.cells_opened) / count;
     if (how.json)
       std::printf("{\"scene\": \"%s\", \"form\": \"%s\", \"octants\": %zu, \"voxelize_seconds\": "
                   "%.4f, \"opened_per_ray\": %.2f, \"seconds\": %.4f, \"times\": %.3f, \"rays\": "
@@ -231,6 +207,8 @@ int complain(const char* why) {
 
 int main(int argc, char** argv) {
   options how;
+  how.repetitions = 3;
+  how.size = 256;
   for (int i = 1; i < argc; ++i) {
     const std::string a = argv[i];
     const auto number = [&](int& to, int least, int most) {
@@ -243,7 +221,7 @@ int main(int argc, char** argv) {
       how.scene = argv[++i];
     else if ((a == "--repetitions" && number(how.repetitions, 1, 1000)) ||
              (a == "--size" && number(how.size, 1, 4096)) ||
-             (a == "--levels" && number(how.levels, 9, 52)))
+             (a == "--levels" && number(how.resolution, 9, 52)))
       continue;
     else
       return complain(("bad option " + a).c_str());

@@ -19,19 +19,22 @@ public:
       const std::string name = run.run_name.function_name; // e.g. exp/mixed/MPFI
       const std::size_t slash = name.rfind('/');
       const std::string operation = name.substr(0, slash), library = name.substr(slash + 1);
-      remember(operations_, operation), remember(libraries_, library);
       times_[{operation, library}].push_back(run.GetAdjustedCPUTime() / graze::bench::size);
     }
   }
   void Finalize() override {
+    std::vector<std::string> operations, libraries; // in order of registration
+    for (const graze::bench::contender& c : graze::bench::contenders())
+      if (times_.contains({c.operation + "/" + c.set, c.library}))
+        remember(operations, c.operation + "/" + c.set), remember(libraries, c.library);
     std::printf("\nns an operation (multiple of double's), median\n%-15s", "");
-    for (const std::string& l : libraries_)
+    for (const std::string& l : libraries)
       std::printf(" %19s", l.c_str());
     std::printf("\n");
-    for (const std::string& o : operations_) {
+    for (const std::string& o : operations) {
       std::printf("%-15s", o.c_str());
       const double one = median(o, "double");
-      for (const std::string& l : libraries_)
+      for (const std::string& l : libraries)
         if (const double t = median(o, l); t > 0)
           std::printf("   %8.2f (%6.1f)", t, one > 0 ? t / one : 0);
         else
@@ -52,7 +55,6 @@ private:
     std::sort(t.begin(), t.end());
     return t[t.size() / 2];
   }
-  std::vector<std::string> operations_, libraries_;
   std::map<std::pair<std::string, std::string>, std::vector<double>> times_;
 };
 
@@ -63,19 +65,10 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv))
     return 2;
   using namespace graze::bench;
-  measure_double();
-  measure_graze();
-  measure_boost();
-#if defined(GRAZE_BENCH_CGAL)
-  measure_cgal();
-#endif
-#if defined(GRAZE_BENCH_MPFI)
-  measure_mpfi();
-#endif
-#if defined(GRAZE_BENCH_ARB)
-  measure_arb();
-#endif
-  std::printf("peers left out at configure time:%s\n", GRAZE_BENCH_MISSING);
+  const std::string missing = measure_all();
+  std::printf("peers left out: %s\n", missing.empty() ? "none" : missing.c_str());
+  for (const contender& c : contenders())
+    benchmark::RegisterBenchmark((c.operation + "/" + c.set + "/" + c.library).c_str(), c.time);
   table reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   return 0;

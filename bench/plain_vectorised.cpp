@@ -12,6 +12,10 @@ void add(std::size_t n, const double* __restrict x, const double* __restrict y,
          double* __restrict r) {
   GRAZE_EACH(x[i] + y[i]);
 }
+void sub(std::size_t n, const double* __restrict x, const double* __restrict y,
+         double* __restrict r) {
+  GRAZE_EACH(x[i] - y[i]);
+}
 void mul(std::size_t n, const double* __restrict x, const double* __restrict y,
          double* __restrict r) {
   GRAZE_EACH(x[i] * y[i]);

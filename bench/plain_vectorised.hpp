@@ -6,6 +6,7 @@
 namespace graze::bench::plain {
 
 void add(std::size_t n, const double* x, const double* y, double* r);
+void sub(std::size_t n, const double* x, const double* y, double* r);
 void mul(std::size_t n, const double* x, const double* y, double* r);
 void div(std::size_t n, const double* x, const double* y, double* r);
 void fma(std::size_t n, const double* x, const double* y, const double* z, double* r);

@@ -69,32 +69,63 @@ def max_gradient(name):
     return math.ceil(most * 10) / 10
 
 
-def pov_scene(name, trace, gradient):
-    formula, s, half, _ = SCENES[name]
+def isosurface(name, gradient, accuracy, rest):
+    formula, _, half, _ = SCENES[name]
+    return (f"isosurface {{ function {{ {formula} }} contained_by {{ box {{ {-half}, {half} }} }} open\n"
+            f"  accuracy {accuracy:g} max_gradient {gradient} {rest} }}\n")
+
+
+def pov_scene(name, trace, gradient, accuracy=1e-9):
+    s = SCENES[name][1]
     light = "light_source {{ <{:g},{:g},{:g}> rgb {} }}\n"
     return ("#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level 6 adc_bailout 0 }\n"
             f"camera {{ perspective location <{3 * s},{2 * s},{6 * s}> direction <-3,-2,-6>\n"
             "  right <3.578125,0,-1.7890625> up <-0.51171875,3.8330078125,-1.0224609375> }\n"
             "background { rgb <0,0,1> }\n"
             + light.format(10 * s, 12 * s, 4 * s, 0.8) + light.format(-8 * s, 6 * s, 10 * s, 0.5)
-            + f"isosurface {{ function {{ {formula} }} contained_by {{ box {{ {-half}, {half} }} }} open\n"
-            f"  accuracy 1e-9 max_gradient {gradient} pigment {{ rgb 0.6 }}\n"
-            "  finish { ambient 0.2 diffuse 0.6 phong 0.3 phong_size 32"
-            + (" reflection 0.2 } }\n" if trace else " } no_shadow }\n"))
+            + isosurface(name, gradient, accuracy, "pigment { rgb 0.6 }\n"
+                         "  finish { ambient 0.2 diffuse 0.6 phong 0.3 phong_size 32"
+                         + (" reflection 0.2 }" if trace else " } no_shadow")))
+
+
+def pov_hits_scene(name, gradient, accuracy, size, file):
+    """A scene that writes to the file where trace() meets the surface, a line a pixel: "x y z", or "-"."""
+    s = SCENES[name][1]
+    return (f"#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\n#declare N = {size};\n"
+            f"#declare S = {isosurface(name, gradient, accuracy, '')}"
+            f'#declare E = <{3 * s},{2 * s},{6 * s}>;\n#fopen F "{file}" write\n#for (J, 0, N-1) #for (I, 0, N-1)\n'
+            "#local U = (I+0.5)/N-0.5; #local V = 0.5-(J+0.5)/N; #local H = <0,0,0>;\n"
+            "#local D = <-3,-2,-6>+U*<3.578125,0,-1.7890625>+V*<-0.51171875,3.8330078125,-1.0224609375>;\n"
+            "#local Q = trace(S, E, D, H);\n"
+            '#if (vlength(H) > 0) #write (F, str(Q.x,0,17), " ", str(Q.y,0,17), " ", str(Q.z,0,17), "\\n")\n'
+            '#else #write (F, "-\\n") #end\n#end #end\n#fclose F\ncamera { location <0,0,-1> }\n')
+
+
+def pov_command(scene, image, size):
+    return ["povray", str(scene), "+WT1", "-D", "-A", "-V", f"+W{size}", f"+H{size}", "+FP", f"+O{image}"]
+
+
+def pov_seconds(told):
+    """CPU-seconds of tracing, of what povray tells; None where it has not traced."""
+    found = re.findall(r"with\s+([0-9.]+)\s+CPU-seconds", told)
+    return float(found[-1]) if found else None
+
+
+def pov_mask(image, size):
+    """A byte a pixel, 1 where the surface was hit: red there, by the ambient light at least."""
+    data = image.read_bytes()[-3 * size * size:]
+    return bytes(1 if r else 0 for r in data[::3])
 
 
 def pov_run(name, trace, gradient, folder, size=SIZE):
-    """CPU-seconds of tracing, and the mask: a byte a pixel, 1 where the surface was hit."""
+    """CPU-seconds of tracing, and the mask."""
     scene, image = folder / "scene.pov", folder / "pov.ppm"
     scene.write_text(pov_scene(name, trace, gradient))
-    done = subprocess.run(["povray", str(scene), "+WT1", "-D", "-A", "-V", f"+W{size}", f"+H{size}", "+FP",
-                           f"+O{image}"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-                          cwd=folder)
-    told = re.findall(r"with\s+([0-9.]+)\s+CPU-seconds", done.stdout)
-    if done.returncode != 0 or not told:
+    done = subprocess.run(pov_command(scene, image, size), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          errors="replace", cwd=folder)
+    if done.returncode != 0 or pov_seconds(done.stdout) is None:
         sys.exit("povray failed:\n" + done.stdout[-3000:])
-    data = image.read_bytes()[-3 * size * size:]  # red where hit, by the ambient light at least
-    return float(told[-1]), bytes(1 if r else 0 for r in data[::3])
+    return pov_seconds(done.stdout), pov_mask(image, size)
 
 
 def png_mask(file, size):

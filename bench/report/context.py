@@ -9,7 +9,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 BUILD = ROOT / "build" / "release"
@@ -171,5 +170,4 @@ def head(arguments, quick, core, build=BUILD):
     return {"machine": machine(), **compiler(build), **source(), "packages": packages(),
             "cargo": first_line(["cargo", "--version"]) or None,
             "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
-            "command": " ".join(["bench/graze-report", *arguments]), "quick": quick, "core": core,
-            "started": time.time()}
+            "command": " ".join(["bench/graze-report", *arguments]), "quick": quick, "core": core}

@@ -28,7 +28,9 @@ LOOKS = {
     "published": ("#d55e00", "s"), "plain": ("#a65628", "<"), "gargantini": ("#8c564b", "^"),
     "revelles": ("#b0579a", ">"), "amanatides": ("#c99700", "h"), "slab": ("#7a7a00", "P"), "pcl": ("#5b8c00", "8"),
     "octomap": ("#e377c2", "*"), "openvdb": ("#ff7f0e", "H"), "nanovdb": ("#c45b00", "d"), "embree": ("#505050", "X"),
-    "pov": ("#d55e00", "s"),
+    "pov": ("#009e73", "v"), "fidget": ("#b0579a", "P"), "certified hits": ("#002b55", "H"),
+    "descent avx512": ("#0b5fa5", "o"), "descent avx2": ("#00a3d7", "D"), "descent baseline": ("#6f8fd8", "s"),
+    "descent upward": ("#5a6b80", "p"),
 }
 SPARE = ["#3f6b2a", "#7b4fa0", "#a31f50", "#4c7f8c", "#8a6d00", "#555555"]
 WRONG = "#d00000"
@@ -130,16 +132,16 @@ def number_axis(axis, low, high):
     """Plain numbers where there are few decades, powers of ten elsewhere."""
     if 1e-3 <= low and high < 1e5:
         axis.set_major_formatter(ticker.FuncFormatter(lambda v, _: f"{v:g}"))
-        if high / low < 30:
+        if high / low < 100:
             axis.set_minor_formatter(ticker.FuncFormatter(few_minor))
         else:
             axis.set_minor_formatter(ticker.NullFormatter())
 
 
-def ticks_at(ax, values):
-    """Ticks at the few values that were measured."""
-    if len(values) <= 10:
-        ax.set_xticks(values, [f"{v:g}" for v in values])
+def ticks_at(ax, ticks):
+    """Ticks {value: label} where they are few."""
+    if 0 < len(ticks) <= 10:
+        ax.set_xticks(list(ticks), ticks.values())
         ax.set_xticks([], minor=True)
 
 
@@ -174,6 +176,7 @@ def draw_scatter(ax, points, x_label, y_label, title="", log_x=True, log_y=True,
     ax.set_xlabel(x_label)
     ax.set_ylabel(y_label)
     ax.set_title(title)
+    ax.graze_points = [(p["x"], p["y"]) for p in placed]
     if texts:
         ax.graze_texts = [(p["x"], p["y"], p["text"], colour(p["library"])) for p in placed if p.get("text")]
 
@@ -188,7 +191,8 @@ def place_texts(fig):
         canvas.draw()
         renderer = canvas.get_renderer()
         spots = [ax.transData.transform((x, y)) for x, y, _, _ in items]
-        taken = [(x - 5, y - 5, x + 5, y + 5) for x, y in spots]
+        points = [ax.transData.transform(p) for p in ax.graze_points]
+        taken = [(x - 5, y - 5, x + 5, y + 5) for x, y in points]
         frame = ax.get_window_extent(renderer)
         for (x, y, words, shade), (px, py) in zip(items, spots):
             best = None
@@ -217,7 +221,8 @@ def overlap(a, b):
 
 def outside(box, frame):
     """By how many pixels a rectangle leaves the axes."""
-    return sum(max(0, v) for v in (frame.x0 - box[0], box[2] - frame.x1 - 20, frame.y0 - box[1], box[3] - frame.y1 - 20))
+    return sum(max(0, v) for v in (frame.x0 - box[0], box[2] - frame.x1 - 20, frame.y0 - box[1],
+                                   box[3] - frame.y1 - 20))
 
 
 def legend_of(fig):
@@ -242,12 +247,12 @@ def scatter(points, x_label, y_label, title="", log_x=True, log_y=True, marked_l
     return finish(fig)
 
 
-def draw_lines(ax, series, x_label, y_label, title="", log_x=False, log_y=False):
+def draw_lines(ax, series, x_label, y_label, title="", log_x=False, log_y=False, x_ticks=None):
     """Series on axes that may be one panel of several; see lines."""
     every = {a: [v for s in series for k in (a, f"{a}_low", f"{a}_high") for v in s.get(k) or []] for a in "xy"}
     if log_x:
         axis_scale(ax, "x", every["x"], True)
-        ticks_at(ax, sorted(set(every["x"])))
+    ticks_at(ax, x_ticks or ({v: f"{v:g}" for v in sorted(set(every["x"]))} if log_x else {}))
     axis_scale(ax, "y", every["y"], log_y)
     for s in series:
         shade, marker = look(s["library"])
@@ -267,22 +272,27 @@ def draw_lines(ax, series, x_label, y_label, title="", log_x=False, log_y=False)
 
 
 @drawn
-def lines(series, x_label, y_label, title="", log_x=False, log_y=False, width=900, height=440):
-    """Series dict(library, x, y, label=, y_low=, y_high=, dashed=False, marked=[...]); bands are quartiles."""
+def lines(series, x_label, y_label, title="", log_x=False, log_y=False, x_ticks=None, width=900, height=440):
+    """Series dict(library, x, y, label=, colour=, marker=, y_low=, y_high=, dashed=False, marked=[...]); bands are
+    quartiles. x_ticks: {value: label}."""
     fig, ax = new(width, height)
-    draw_lines(ax, series, x_label, y_label, title, log_x, log_y)
+    draw_lines(ax, series, x_label, y_label, title, log_x, log_y, x_ticks)
     legend_of(fig)
     return finish(fig)
 
 
 @drawn
 def line_panels(panels, width=900, height=400):
-    """Several of `lines` side by side: [dict(series, x_label, y_label, title=, log_x=, log_y=)]."""
+    """Several of `lines` side by side: [dict(series, x_label, y_label, title=, log_x=, log_y=)]; a panel has a legend
+    where a name of it was in no panel before."""
     fig, axes = new(width, height, 1, len(panels), squeeze=False)
+    named = set()
     for ax, panel in zip(axes[0], panels):
         draw_lines(ax, **panel)
-        if len(panel["series"]) > 1:
+        names = set(ax.get_legend_handles_labels()[1])
+        if len(names) > 1 and not names <= named:
             ax.legend(loc="best")
+        named |= names
     return finish(fig)
 
 
@@ -307,7 +317,7 @@ def bars(groups, y_label, x_label="", title="", log_y=False, width=900, height=4
     fig, ax = new(width, height)
     axis_scale(ax, "y", [v for g in groups for b in g["bars"] for v in (b["y"], b.get("y_high"))], log_y)
     libraries = list(dict.fromkeys(b["library"] for g in groups for b in g["bars"]))
-    wide = 0.82 / len(libraries)
+    wide = min(0.82 / len(libraries), 0.4)
     for k, library in enumerate(libraries):
         here = [(at, b) for at, g in enumerate(groups) for b in g["bars"] if b["library"] == library]
         xs = [at + (k - (len(libraries) - 1) / 2) * wide for at, _ in here]

@@ -134,19 +134,45 @@ class Progress:
               file=sys.stderr, flush=True)
 
 
+class Interrupts:
+    """SIGINT and SIGTERM raise KeyboardInterrupt within `with`, and are remembered elsewhere."""
+
+    def __init__(self):
+        self.seen = self.within = False
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, self.handle)
+
+    def handle(self, _number, _frame):
+        self.seen = True
+        if self.within:
+            self.within = False
+            raise KeyboardInterrupt
+
+    def __enter__(self):
+        self.within = True
+        if self.seen:
+            raise KeyboardInterrupt
+
+    def __exit__(self, *_):
+        self.within = False
+
+
 def measure(given, modules, report, keep):
     """Measures section after section; `keep` writes the report. Returns whether it was interrupted."""
-    progress = Progress(given.only, given.quick)
+    interrupts, progress = Interrupts(), Progress(given.only, given.quick)
     for name in given.only:
+        if interrupts.seen:
+            return True
         module, entry = modules[name], report["sections"][name]
         context = contexts.Context(given.out, given.quick, given.core, progress)
         began = time.monotonic()
         progress.begin(name)
         try:
-            if isinstance(module, str):
-                raise contexts.MeasurementFailed(module)
-            entry["data"] = json.loads(json.dumps(module.measure(context)))
-            entry["state"] = "done"
+            with interrupts:
+                if isinstance(module, str):
+                    raise contexts.MeasurementFailed(module)
+                entry["data"] = json.loads(json.dumps(module.measure(context)))
+                entry["state"] = "done"
         except KeyboardInterrupt:
             entry["state"] = "interrupted"
         except Exception as error:  # the others go on
@@ -159,9 +185,7 @@ def measure(given, modules, report, keep):
         entry["missing"] = context.missing_peers
         keep()
         progress.end(entry["state"] + (f": {entry['error']}" if "error" in entry else ""))
-        if entry["state"] == "interrupted":
-            return True
-    return False
+    return interrupts.seen
 
 
 def shown(report, modules):
@@ -217,10 +241,6 @@ def finish(given, report, modules, out):
     return all(state == "done" for state in states.values())
 
 
-def interrupt(_number, _frame):
-    raise KeyboardInterrupt
-
-
 def work(arguments, modules):
     given = options(arguments, modules)
     if given.help:
@@ -237,8 +257,6 @@ def work(arguments, modules):
         interrupted = False
         if report is None:
             report = new_report(given, arguments, modules)
-            for number in (signal.SIGINT, signal.SIGTERM):
-                signal.signal(number, interrupt)
             interrupted = measure(given, modules, report,
                                   lambda: write(out / "report.json", json.dumps(report, indent=1)))
         else:
