@@ -1,5 +1,6 @@
 #include "peers.hpp"
 #include "rounded_ray.hpp"
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Octree.h>
 
@@ -54,10 +55,8 @@ struct keep_voxels {
   }
 };
 
-} // namespace
-
-template <> struct peer<cgal>::structure {
-  explicit structure(const voxel_grid& grid)
+struct tree_of_voxels {
+  explicit tree_of_voxels(const voxel_grid& grid)
       : level(static_cast<std::size_t>(grid.level())), cloud(centres_and_corners(grid)),
         tree(cloud, CGAL::Identity_property_map<kernel::Point_3>(), 1.0) {
     tree.refine([this](const node& n) { return n.depth() < level && !n.empty(); });
@@ -72,6 +71,15 @@ template <> struct peer<cgal>::structure {
   points cloud;
   octree_of_points tree;
   std::array<voxel_key, 2> corners{};
+};
+
+} // namespace
+
+template <> struct peer<cgal>::structure : tree_of_voxels {
+  using tree_of_voxels::tree_of_voxels;
+};
+template <> struct peer<cgal_exact>::structure : tree_of_voxels {
+  using tree_of_voxels::tree_of_voxels;
 };
 
 template <>
@@ -90,6 +98,22 @@ template <> void peer<cgal>::occupied(const octree::ray& r, std::vector<voxel_ke
 template <> std::optional<octree::ray> peer<cgal>::received(const octree::ray& r) const {
   const octree::vec3 &o = r.origin(), &d = r.direction();
   return ray_by_points(o, {o[0] + d[0], o[1] + d[1], o[2] + d[2]});
+}
+
+template <>
+peer<cgal_exact>::peer(const voxel_grid& grid) : structure_(std::make_unique<structure>(grid)) {}
+template <> peer<cgal_exact>::~peer() = default;
+
+template <> void peer<cgal_exact>::occupied(const octree::ray& r, std::vector<voxel_key>& found) {
+  const octree::vec3 &o = r.origin(), &d = r.direction();
+  const CGAL::Epeck::Ray_3 ray(CGAL::Epeck::Point_3(o[0], o[1], o[2]),
+                               CGAL::Epeck::Vector_3(d[0], d[1], d[2]));
+  structure_->tree.intersected_nodes(ray,
+                                     keep_voxels{&found, structure_->level, structure_->corners});
+}
+
+template <> std::optional<octree::ray> peer<cgal_exact>::received(const octree::ray& r) const {
+  return r;
 }
 
 } // namespace graze::bench

@@ -15,7 +15,7 @@
 
 namespace graze::bench {
 
-/// The traversal `Library`: a tag below, with its name and what it rounds a ray to.
+/// The traversal `Library`: a tag below, with its name, and what graze-fuzz calls it.
 template <class Library> class peer {
 public:
   static constexpr const char* name = Library::name;
@@ -37,23 +37,59 @@ private:
 /// double: code of our own, from the paper (octree/revelles.hpp).
 struct revelles {
   static constexpr const char* name = "Revelles";
+  static constexpr const char* traversal = "revelles";
 };
 /// PCL, OctreePointCloudSearch::getIntersectedVoxelIndices: rays in float.
 struct pcl {
   static constexpr const char* name = "PCL";
+  static constexpr const char* traversal = "pcl";
 };
-/// CGAL, Octree::intersected_nodes with exact predicates: rays in double, by two points.
+/// CGAL, Octree::intersected_nodes with exact predicates (EPICK): rays in double, by two points.
 struct cgal {
   static constexpr const char* name = "CGAL";
+  static constexpr const char* traversal = "cgal-octree";
+};
+/// The same tree asked with a ray of exact constructions (EPECK): any ray in double, as it is.
+struct cgal_exact {
+  static constexpr const char* name = "CGAL, exact rays";
+  static constexpr const char* traversal = "cgal-octree-epeck";
 };
 /// OctoMap, OcTree::computeRayKeys and search(key) of each cell: rays in float, from the origin to
 /// a point behind the root.
 struct octomap {
   static constexpr const char* name = "OctoMap";
+  static constexpr const char* traversal = "octomap-ray-keys";
 };
 /// OpenVDB, LevelSetHDDA down to the voxel: rays in double.
 struct openvdb {
   static constexpr const char* name = "OpenVDB";
+  static constexpr const char* traversal = "openvdb-level-set-hdda";
+};
+/// NanoVDB: the loop of ZeroCrossing() in its HDDA.h, which keeps each active voxel that it comes
+/// to; and firstActive() again and again, each time without the voxels that it has found. Rays in
+/// float, normalised as its own examples do: the steps forward in HDDA.h (Delta) are lengths.
+struct nanovdb_hdda {
+  static constexpr const char* name = "NanoVDB";
+  static constexpr const char* traversal = "nanovdb-hdda";
+};
+struct nanovdb_first_active {
+  static constexpr const char* name = "NanoVDB, firstActive";
+  static constexpr const char* traversal = "nanovdb-first-active";
+};
+/// Embree 3: the voxels as user geometry, rays in float. Reported is every box that Embree calls
+/// back for, by its own conservative test; with RTC_SCENE_FLAG_ROBUST; and those of them that
+/// slabs in float find on the ray, as a user would test them.
+struct embree {
+  static constexpr const char* name = "Embree";
+  static constexpr const char* traversal = "embree-boxes";
+};
+struct embree_robust {
+  static constexpr const char* name = "Embree, robust";
+  static constexpr const char* traversal = "embree-boxes-robust";
+};
+struct embree_tested {
+  static constexpr const char* name = "Embree, boxes tested";
+  static constexpr const char* traversal = "embree-boxes-tested";
 };
 
 // Defined in one source file each; those of a library that is missing are not.
@@ -67,6 +103,12 @@ GRAZE_PEER_DECLARE(pcl);
 GRAZE_PEER_DECLARE(cgal);
 GRAZE_PEER_DECLARE(octomap);
 GRAZE_PEER_DECLARE(openvdb);
+GRAZE_PEER_DECLARE(cgal_exact);
+GRAZE_PEER_DECLARE(nanovdb_hdda);
+GRAZE_PEER_DECLARE(nanovdb_first_active);
+GRAZE_PEER_DECLARE(embree);
+GRAZE_PEER_DECLARE(embree_robust);
+GRAZE_PEER_DECLARE(embree_tested);
 #undef GRAZE_PEER_DECLARE
 
 /// Calls f.template operator()<Library>() for each library that there is.
@@ -77,12 +119,22 @@ template <class F> void for_each_peer(F&& f) {
 #endif
 #ifdef GRAZE_PEER_CGAL
   f.template operator()<cgal>();
+  f.template operator()<cgal_exact>();
 #endif
 #ifdef GRAZE_PEER_OCTOMAP
   f.template operator()<octomap>();
 #endif
 #ifdef GRAZE_PEER_OPENVDB
   f.template operator()<openvdb>();
+#endif
+#ifdef GRAZE_PEER_NANOVDB
+  f.template operator()<nanovdb_hdda>();
+  f.template operator()<nanovdb_first_active>();
+#endif
+#ifdef GRAZE_PEER_EMBREE
+  f.template operator()<embree>();
+  f.template operator()<embree_robust>();
+  f.template operator()<embree_tested>();
 #endif
 }
 

@@ -1,10 +1,11 @@
-/// CGAL: do_intersect of a ray and a box, which its AABB tree and its octree ask, voxel by voxel.
+/// CGAL: do_intersect of a ray and a box, which its AABB tree and its octree ask, voxel by voxel;
+/// and its octree (bench/peers/cgal.cpp).
 ///
-///   graze-adapter-cgal inexact|epick|epeck
+///   graze-adapter-cgal inexact|epick|epeck|octree|octree-epeck
 ///
 /// inexact: plain double. epick: exact predicates on doubles; CGAL keeps a ray as two points, so it
 /// is asked only where origin + direction is exact. epeck: exact constructions too, every ray.
-#include "adapter.hpp"
+#include "peer.hpp"
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -47,6 +48,10 @@ int main(int argc, char** argv) {
     return adapter::serve("exactly-touched", traverse<CGAL::Epick>);
   if (variant == "epeck")
     return adapter::serve("exactly-touched", traverse<CGAL::Epeck>);
-  std::fprintf(stderr, "usage: graze-adapter-cgal inexact|epick|epeck\n");
+  if (variant == "octree")
+    return adapter::serve("exactly-touched", adapter::ask_peer<graze::bench::cgal>);
+  if (variant == "octree-epeck")
+    return adapter::serve("exactly-touched", adapter::ask_peer<graze::bench::cgal_exact>);
+  std::fprintf(stderr, "usage: graze-adapter-cgal inexact|epick|epeck|octree|octree-epeck\n");
   return 2;
 }

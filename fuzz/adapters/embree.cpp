@@ -1,9 +1,10 @@
 /// Embree 3: the voxels as user geometry, or as 12 triangles each. Reported is every primitive that
 /// Embree calls back for, which is its own test and no formula of ours. It works in float.
 ///
-///   graze-adapter-embree boxes|boxes-robust|triangles|triangles-robust
+///   graze-adapter-embree boxes|boxes-robust|boxes-tested|triangles|triangles-robust
 ///
-/// robust: with RTC_SCENE_FLAG_ROBUST.
+/// robust: with RTC_SCENE_FLAG_ROBUST. tested: only those boxes that slabs in float find on the
+/// ray, as a user's callback does.
 #include "adapter.hpp"
 #include <embree3/rtcore.h>
 #include <limits>
@@ -26,17 +27,33 @@ void bounds(const RTCBoundsFunctionArguments* a) {
 void box_callback(const RTCOccludedFunctionNArguments* a) {
   static_cast<scene_data*>(a->geometryUserPtr)->hit[a->primID] = true;
 }
+void tested_callback(const RTCOccludedFunctionNArguments* a) {
+  auto* data = static_cast<scene_data*>(a->geometryUserPtr);
+  const auto& box = data->boxes[a->primID];
+  const auto& ray = *reinterpret_cast<const RTCRay*>(a->ray); // rtcOccluded1: N = 1
+  const float from[3] = {ray.org_x, ray.org_y, ray.org_z};
+  const float to[3] = {ray.dir_x, ray.dir_y, ray.dir_z};
+  float enter = ray.tnear, leave = ray.tfar;
+  for (unsigned k = 0; k < 3; ++k) {
+    const float inverse = 1 / to[k];
+    const float one = (box[k] - from[k]) * inverse, other = (box[k + 3] - from[k]) * inverse;
+    enter = std::max(enter, std::min(one, other));
+    leave = std::min(leave, std::max(one, other));
+  }
+  if (enter <= leave)
+    data->hit[a->primID] = true;
+}
 void triangle_callback(const RTCFilterFunctionNArguments* a) {
   static_cast<scene_data*>(a->geometryUserPtr)->hit[RTCHitN_primID(a->hit, a->N, 0) / 12] = true;
   a->valid[0] = 0;
 }
 
-RTCGeometry boxes_of(RTCDevice device, scene_data& data) {
+RTCGeometry boxes_of(RTCDevice device, scene_data& data, bool tested) {
   RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(data.boxes.size()));
   rtcSetGeometryUserData(g, &data);
   rtcSetGeometryBoundsFunction(g, bounds, nullptr);
-  rtcSetGeometryOccludedFunction(g, box_callback);
+  rtcSetGeometryOccludedFunction(g, tested ? tested_callback : box_callback);
   return g;
 }
 
@@ -64,7 +81,11 @@ RTCGeometry triangles_of(RTCDevice device, scene_data& data) {
   return g;
 }
 
-void traverse(RTCDevice device, bool triangles, RTCSceneFlags flags, const adapter::request& r,
+struct variant_asked {
+  bool triangles, robust, tested;
+};
+
+void traverse(RTCDevice device, const variant_asked& variant, const adapter::request& r,
               adapter::answer& a) {
   const adapter::vec3 o = adapter::to_float(r.origin);
   const adapter::vec3 d = adapter::to_float(adapter::scaled(r.direction));
@@ -83,8 +104,9 @@ void traverse(RTCDevice device, bool triangles, RTCSceneFlags flags, const adapt
   data.hit.resize(data.boxes.size());
 
   RTCScene scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, flags);
-  RTCGeometry g = triangles ? triangles_of(device, data) : boxes_of(device, data);
+  rtcSetSceneFlags(scene, variant.robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+  RTCGeometry g =
+      variant.triangles ? triangles_of(device, data) : boxes_of(device, data, variant.tested);
   rtcCommitGeometry(g);
   rtcAttachGeometry(scene, g);
   rtcReleaseGeometry(g);
@@ -109,15 +131,17 @@ void traverse(RTCDevice device, bool triangles, RTCSceneFlags flags, const adapt
 } // namespace
 
 int main(int argc, char** argv) {
-  const std::string_view variant = argc > 1 ? argv[1] : "";
-  const bool triangles = variant.starts_with("triangles"), robust = variant.ends_with("-robust");
-  if (variant != std::string(triangles ? "triangles" : "boxes") + (robust ? "-robust" : "")) {
-    std::fprintf(stderr,
-                 "usage: graze-adapter-embree boxes|boxes-robust|triangles|triangles-robust\n");
+  const std::string_view name = argc > 1 ? argv[1] : "";
+  const variant_asked variant{name.starts_with("triangles"), name.ends_with("-robust"),
+                              name == "boxes-tested"};
+  if (!variant.tested && name != std::string(variant.triangles ? "triangles" : "boxes") +
+                                     (variant.robust ? "-robust" : "")) {
+    std::fprintf(stderr, "usage: graze-adapter-embree "
+                         "boxes|boxes-robust|boxes-tested|triangles|triangles-robust\n");
     return 2;
   }
   RTCDevice device = rtcNewDevice("threads=1");
   return adapter::serve("crossed", [&](const adapter::request& r, adapter::answer& a) {
-    traverse(device, triangles, robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE, r, a);
+    traverse(device, variant, r, a);
   });
 }

@@ -17,7 +17,7 @@ import sys
 
 # rays a second are very different: a budget of rays, not of time, so that counts can be repeated
 SLOW = {"nanovdb": 600, "openvdb": 600, "octomap": 4000, "embree": 8000, "rational": 20000}
-EXACT = ("rational", "cgal-epick", "cgal-epeck")
+EXACT = ("rational", "cgal-epick", "cgal-epeck", "cgal-octree", "cgal-octree-epeck")
 SEEDS = range(1, 6)
 
 

@@ -49,6 +49,7 @@ struct run_options {
   std::string reproducer; ///< a folder
   bool json = false;
   bool progress = false;
+  bool no_shrink = false;
 };
 
 struct replay_options {
@@ -119,9 +120,9 @@ int run(const run_options& options) {
   if (progress)
     show = [&plan](std::uint64_t rays, double seconds) { show_progress(plan, rays, seconds); };
   const campaign_result result = run_campaign(plan, interrupted, show);
-  if (progress && result.worst_finding())
+  if (progress && result.worst_finding() && !options.no_shrink)
     fmt::print(stderr, "\rshrinking what was found, for at most 10 s \x1b[K");
-  const std::optional<counterexample> found = counterexample_of(plan, result);
+  const std::optional<counterexample> found = counterexample_of(plan, result, !options.no_shrink);
   if (progress)
     fmt::print(stderr, "\r\x1b[K");
   if (options.json) {
@@ -256,6 +257,8 @@ int main(int argc, char** argv) {
   const char* const folder =
       "Write the shrunk counterexample to this folder: replay line, text, C++ snippet, picture";
   run_command->add_option("--reproducer", run_with.reproducer, folder);
+  run_command->add_flag("--no-shrink", run_with.no_shrink,
+                        "Tell the ray as it was found: at once, where asking again takes long");
   run_command->add_flag("--json", run_with.json, "Print one JSON object");
   run_command->add_flag("--progress", run_with.progress,
                         "Show progress even if stderr is not a terminal");

@@ -46,7 +46,7 @@ std::string spelled(const vec3& v) {
 } // namespace
 
 std::optional<counterexample> counterexample_of(const campaign_plan& plan,
-                                                const campaign_result& result) {
+                                                const campaign_result& result, bool shrink_it) {
   const auto kind = result.worst_finding();
   if (!kind)
     return std::nullopt;
@@ -58,6 +58,8 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
     if (!ray || (simplest && std::chrono::steady_clock::now() >= end))
       continue;
     const trial found = trial_of(plan, *ray);
+    if (!shrink_it)
+      return counterexample{*kind, *ray, found, found};
     const trial shrunk = shrink(found, *under_test, *kind, 30'000, end);
     if (!simplest || complexity_of(shrunk) < complexity_of(simplest->shrunk))
       simplest = counterexample{*kind, *ray, found, shrunk};

@@ -54,28 +54,33 @@ void add_traversals(const std::vector<traversal_entry>& more) {
 }
 
 const std::vector<traversal_entry>& traversals() {
-  static const std::vector<traversal_entry> all{
-      {upward, "bounds that hold, half-open octants, front to back (backend upward)",
-       sound<rounding::upward, convention::owned, upward>},
-      {closed, "bounds that hold, closed octants (backend upward)",
-       sound<rounding::upward, convention::closed, closed>},
-      {nearest, "as sound, on the backend that needs no rounding mode",
-       sound<rounding::nearest, convention::owned, nearest>},
-      {split, "as sound, lower bounds on SSE2 and upper bounds on the x87",
-       sound<rounding::split, convention::owned, split>},
-      {switching, "as sound, with the mode set around every operation",
-       sound<rounding::switching, convention::owned, switching>},
-      {exactly, "no octant too few or too many: those that own a point of the ray, front to back",
-       exact<rounding::upward, convention::owned, exactly>},
-      {exactly_closed, "no octant too few or too many: those that the ray touches",
-       exact<rounding::upward, convention::closed, exactly_closed>},
-      {exactly_nearest, "as exact, on the backend that needs no rounding mode",
-       exact<rounding::nearest, convention::owned, exactly_nearest>},
-      {"published", "the paper's ray voxelization to the letter", published},
-      {"plain", "the sound formulas in round to nearest", plain},
-      {"gargantini", "mid-plane intersections sorted in t (Gargantini and Atkinson 1993)",
-       gargantini},
-  };
+  static const std::vector<traversal_entry> all = [] {
+    std::vector<traversal_entry> list{
+        {upward, "bounds that hold, half-open octants, front to back (backend upward)",
+         sound<rounding::upward, convention::owned, upward>},
+        {closed, "bounds that hold, closed octants (backend upward)",
+         sound<rounding::upward, convention::closed, closed>},
+        {nearest, "as sound, on the backend that needs no rounding mode",
+         sound<rounding::nearest, convention::owned, nearest>},
+        {split, "as sound, lower bounds on SSE2 and upper bounds on the x87",
+         sound<rounding::split, convention::owned, split>},
+        {switching, "as sound, with the mode set around every operation",
+         sound<rounding::switching, convention::owned, switching>},
+        {exactly, "no octant too few or too many: those that own a point of the ray, front to back",
+         exact<rounding::upward, convention::owned, exactly>},
+        {exactly_closed, "no octant too few or too many: those that the ray touches",
+         exact<rounding::upward, convention::closed, exactly_closed>},
+        {exactly_nearest, "as exact, on the backend that needs no rounding mode",
+         exact<rounding::nearest, convention::owned, exactly_nearest>},
+        {"published", "the paper's ray voxelization to the letter", published},
+        {"plain", "the sound formulas in round to nearest", plain},
+        {"gargantini", "mid-plane intersections sorted in t (Gargantini and Atkinson 1993)",
+         gargantini},
+    };
+    const auto lanes = lane_traversals();
+    list.insert(list.end(), lanes.begin(), lanes.end());
+    return list;
+  }();
   return all;
 }
 

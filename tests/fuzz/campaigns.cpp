@@ -50,6 +50,16 @@ TEST_CASE("fuzz.campaign: exact reports no octant too few and none too many", "[
         nothing_found(e.name, level, 50'000);
 }
 
+TEST_CASE("fuzz.campaign: the lanes keep their promises to level 20 and decline what is below",
+          "[property]") {
+  for (const traversal_entry& e : lane_traversals()) {
+    for (const int level : {1, 2, 10, 20})
+      nothing_found(e.name, level, 20'000);
+    const counts deep = run(plan_of(e.name, 21, 1'000)).total;
+    CHECK(deep.declined == deep.rays);
+  }
+}
+
 TEST_CASE("fuzz.campaign: counts and first findings do not depend on the number of threads",
           "[property]") {
   campaign_plan plan = plan_of("published", 40, 20'001);

@@ -113,6 +113,20 @@ TEST_CASE("fuzz.libraries: CGAL is wrong in double", "[property]") {
   CHECK(of(*entry, "aimed-vertex", 2000).crossed_missed > 0);
 }
 
+TEST_CASE("fuzz.libraries: CGAL's octree is not accused", "[property]") {
+  for (const char* name : {"cgal-octree", "cgal-octree-epeck"}) {
+    const auto entry = find_library(name);
+    if (!entry)
+      return;
+    campaign_plan plan = plan_of("sound", 10, 1500);
+    plan.under_test = &*entry;
+    const counts c = run(plan).total;
+    INFO(name);
+    CHECK(c.findings == 0);
+    CHECK(c.declined < c.rays / 2);
+  }
+}
+
 TEST_CASE("fuzz.libraries: CGAL with exact predicates is not accused", "[property]") {
   for (const char* name : {"cgal-epick", "cgal-epeck"}) {
     const auto entry = find_library(name);

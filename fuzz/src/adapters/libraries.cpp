@@ -28,6 +28,8 @@ constexpr shipped all[] = {
     {"nanovdb-hdda", "nanovdb", "hdda", "NanoVDB, HDDA as in ZeroCrossing (float)", crossed},
     {"embree-boxes", "embree", "boxes", "Embree, boxes as user geometry (float)", crossed},
     {"embree-boxes-robust", "embree", "boxes-robust", "the same, RTC_SCENE_FLAG_ROBUST", crossed},
+    {"embree-boxes-tested", "embree", "boxes-tested", "the boxes that slabs in the callback find",
+     crossed},
     {"embree-triangles", "embree", "triangles", "Embree, 12 triangles a voxel (float)", crossed},
     {"embree-triangles-robust", "embree", "triangles-robust", "the same, RTC_SCENE_FLAG_ROBUST",
      crossed},
@@ -35,6 +37,10 @@ constexpr shipped all[] = {
     {"cgal-epick", "cgal", "epick", "CGAL, exact predicates; rays that two points hold",
      exactly_touched},
     {"cgal-epeck", "cgal", "epeck", "CGAL, exact constructions too", exactly_touched},
+    {"cgal-octree", "cgal", "octree", "CGAL's octree, EPICK; rays that two points hold",
+     exactly_touched},
+    {"cgal-octree-epeck", "cgal", "octree-epeck", "CGAL's octree asked with EPECK's rays",
+     exactly_touched},
 };
 
 /// The folder of the adapters' programs: GRAZE_ADAPTERS, or that of this program.

@@ -15,9 +15,9 @@ struct counterexample {
   trial shrunk;
 };
 
-/// Nothing when the campaign found nothing.
-std::optional<counterexample> counterexample_of(const campaign_plan& plan,
-                                                const campaign_result& result);
+/// Nothing when the campaign found nothing. With `shrink_it` false `shrunk` is the ray as found.
+std::optional<counterexample>
+counterexample_of(const campaign_plan& plan, const campaign_result& result, bool shrink_it = true);
 
 /// A row a generator and one for all.
 std::string table(const campaign_plan& plan, const campaign_result& result);

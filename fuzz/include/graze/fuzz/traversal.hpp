@@ -118,6 +118,8 @@ struct traversal_entry {
 
 /// All that can be chosen, the sound ones first.
 const std::vector<traversal_entry>& traversals();
+/// Those of octree/voxel_rays.hpp; traversals() has them.
+std::vector<traversal_entry> lane_traversals();
 /// The traversals that are wrong on purpose: the harness is tested with them.
 const std::vector<traversal_entry>& mutants();
 /// Traversals of others, written here from their papers: examples to copy (fuzz/src/adapters).

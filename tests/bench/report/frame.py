@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""usage: report_test.py page|options|interrupt|failure|statistics|figures: one test of bench/report.
+"""usage: frame.py page|options|interrupt|failure|statistics|figures: one test of bench/report.
 
 Exit code 0 passed, 1 failed, 77 skipped (python3-matplotlib is missing)."""
 import contextlib
@@ -14,11 +14,11 @@ import sys
 import tempfile
 import types
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "bench"))
 from report import figures, main, page, statistics  # noqa: E402
 
-RECORDED = pathlib.Path(__file__).with_name("report_growth.json")
+RECORDED = pathlib.Path(__file__).with_name("growth.json")
 VOID = {"meta", "br", "img", "hr", "path", "use", "rect"}
 # a unit or that it is a number of something, behind a comma
 UNIT = re.compile(r", (ns|ms|s|MiB|ulps|levels( of .*)?|number|times one thread)$")
