@@ -103,8 +103,8 @@ def interval_text(answer):
 def true_text(answer):
     """Twelve digits of the true value."""
     mantissa, e, power = answer["true"].partition("e")
-    short = re.match(r"-?[0.]*(\d\.?){0,12}", mantissa)[0]
-    return answer["true"] if len(short) >= len(mantissa) else f"{short}…{e}{power}"
+    short_one = re.match(r"-?(\d{12,}|[0.]*(\d\.?){0,12})", mantissa)[0].rstrip(".")
+    return answer["true"] if len(short_one) >= len(mantissa) else f"{short_one}…{e}{power}"
 
 
 def counts(data, library):

@@ -347,8 +347,9 @@ def set_row(results, library):
 def set_table(results):
     heads = ["library", "judged", *(f"{word} {kind}" for word in ("unsound", "tightest") for kind in KINDS),
              "un\u00adbounded", "worst points"]
-    heads = [page.Raw(f'<span style="white-space:normal">{head}</span>') for head in heads]
-    return page.table(heads, [set_row(results, library) for library in results.libraries],
+    heads = [page.Raw(f'<span style="white-space:normal;font-size:.84em">{head}</span>') for head in heads]
+    rows = [[first, *map(small, rest)] for first, *rest in (set_row(results, x) for x in results.libraries)]
+    return page.table(heads, rows,
                       "All operations of a library together, by kind of operands: results judged, share that is "
                       "unsound, share that is the tightest enclosure, results that are needlessly unbounded or no interval (as "
                       "some answer where an operand is partly outside of the domain), worst excess at points in ulps. "
