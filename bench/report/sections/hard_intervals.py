@@ -3,7 +3,7 @@ import math
 import re
 
 from report import page
-from report.sections.interval_libraries import name, tell_missing
+from report.sections.interval_libraries import name, short, tell_missing, ulps
 
 NAME = "hard_intervals"
 TITLE = "Hard cases: expressions"
@@ -34,16 +34,12 @@ def libraries(data):
     return list(dict.fromkeys(a["library"] for a in data["answers"]))
 
 
-def ulps(x):
-    return f"{x:.3g}" if x < 1e4 else f"{x:.0e}".replace("e+", "e")
-
-
 def width_text(answer):
     lower, upper = (float.fromhex(answer[k]) for k in ("lower", "upper"))
     if "width_ulps" in answer:
         words = ulps(answer["width_ulps"])
         return f"{words} ulp" + ("" if words == "1" else "s")
-    return f"width {upper - lower:.2g}" if math.isfinite(upper - lower) else "unbounded"
+    return f"width {short(upper - lower)}" if math.isfinite(upper - lower) else "unbounded"
 
 
 def point_cell(answer):
@@ -53,7 +49,7 @@ def point_cell(answer):
     if "error" not in answer:
         return page.bad("overflow")
     if float(answer["true"]) == 0:
-        return page.bad(f"off by {answer['error']:.2g}")
+        return page.bad(f"off by {short(answer['error'])}")
     if answer["error"] <= 1:
         return f"off by {answer['error']:.2g} ulp"
     return page.bad(f"off by {ulps(answer['error'])} ulps")
@@ -107,8 +103,8 @@ def interval_text(answer):
 def true_text(answer):
     """Twelve digits of the true value."""
     mantissa, e, power = answer["true"].partition("e")
-    short = re.match(r"-?[0.]*(\d\.?){0,12}", mantissa)[0]
-    return answer["true"] if len(short) >= len(mantissa) else f"{short}…{e}{power}"
+    short_one = re.match(r"-?(\d{12,}|[0.]*(\d\.?){0,12})", mantissa)[0].rstrip(".")
+    return answer["true"] if len(short_one) >= len(mantissa) else f"{short_one}…{e}{power}"
 
 
 def counts(data, library):
@@ -178,15 +174,15 @@ def show(data):
         any_of = next(iter(of.values()))
         rows.append([page.Raw(f"<b>{page.escape(any_of['expression'])}</b><br>{page.escape(formula)}"),
                      *(cell(of.get(x)) for x in names)])
-        answers.append([formula, true_text(any_of), interval_text(of.get("interval<>")), interval_text(of.get("double"))])
+        answers.append([formula, true_text(any_of), *(interval_text(of.get(x)) for x in ("interval<>", "double"))])
     heads = ["expression", *map(name, names)]
     return [
         page.text("<p>Each expression is one template, evaluated by every library as it stands, constants enclosed "
                   "where they are no doubles. The true value is MPFR's with 4,000 bits, checked with 2,000. "
                   f"Repeated by <code>{page.escape(data['command'])}</code>.</p>"),
         page.table(heads, rows, "Does the answer hold the true value? Widths in ulps of the true value. "
-                   "Useless: wider than the value itself (than 1/2 where it is 0). Wrong: the true value is outside; for "
-                   "plain double its error. " + verdict_text(data)),
-        page.table(["expression", "true value", "Graze's enclosure, rounded outwards", "plain double's answer"], answers,
-                   "The answers themselves."),
+                   "Useless: wider than the value itself (than 1/2 where it is 0). Wrong: the true value is outside; "
+                   "for plain double its error. " + verdict_text(data)),
+        page.table(["expression", "true value", "Graze's enclosure, rounded outwards", "plain double's answer"],
+                   answers, "The answers themselves."),
     ]

@@ -1,4 +1,4 @@
-"""The names that interval libraries have on the page, and which are missing."""
+"""What the sections on intervals share: names of libraries and numbers on the page, and what is missing."""
 import re
 
 # of the programs: on the page, whether its caller has to hold a rounding mode
@@ -14,8 +14,8 @@ NAMES = {
     "batch avx512": ("Graze 8-wide, AVX-512", False),
     "Boost": ("Boost", False),
     "Boost unprotected": ("Boost unprotected", True),
-    "Boost std": ("Boost, transc_std", False),
-    "Boost not rounded": ("Boost, not rounded", False),
+    "Boost std": ("Boost, std", False),
+    "Boost not rounded": ("Boost, raw", False),
     "CGAL": ("CGAL", False),
     "CGAL unprotected": ("CGAL unprotected", True),
     "MPFI": ("MPFI", False),
@@ -47,3 +47,13 @@ def tell_missing(context, missing):
         library, _, why = entry.rstrip(")").partition(" (")
         debian = why.startswith("lib")
         context.missing(name(library), why if debian else "", "" if debian else why)
+
+
+def short(x, digits=2):
+    """A number of few digits."""
+    return f"{float(f'{x:.{digits}g}'):g}"
+
+
+def ulps(x):
+    """An excess in few characters."""
+    return short(x) if x < 1e4 else f"{x:.0e}".replace("e+0", "e").replace("e+", "e")

@@ -5,7 +5,7 @@ import shlex
 
 from report import page, statistics
 from report.sections import interval_figures
-from report.sections.interval_libraries import group, is_held, name, tell_missing
+from report.sections.interval_libraries import group, is_held, name, short, tell_missing, ulps
 
 NAME = "intervals"
 TITLE = "Intervals: time against excess width"
@@ -16,8 +16,8 @@ FUNCTIONS = ["exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "atan2",
              "pow"]
 # why a peer may be faster
 CAUSES = {("CGAL unprotected", "mul"): "it has no empty set and does not test for it",
-          ("Boost unprotected", "sqr"): "it branches on signs, which are predicted for operands that repeat; Graze does "
-                                        "not branch"}
+          ("Boost unprotected", "sqr"): "it branches on signs, which are predicted for operands that repeat; "
+                                        "Graze does not branch"}
 SETS = {"add": "mixed", "sub": "mixed", "mul": "mixed", "div": "mixed", "sqr": "mixed", "sqrt": "positive"}
 
 
@@ -111,8 +111,8 @@ def is_plain(library):
 
 
 def rivals(results):
-    """[(operation, peer, graze's library, ratio of times, mean excess)] where a peer that is sound on every set is faster
-    than the fastest scalar graze that is called in the same way: quartiles apart, and 3 % at least."""
+    """[(operation, peer, graze's library, ratio of times, mean excess)] where a peer that is sound on every set is
+    faster than the fastest scalar graze that is called in the same way: quartiles apart, and 3 % at least."""
     found = []
     for operation in ARITHMETIC + FUNCTIONS:
         for held in (False, True):
@@ -237,7 +237,10 @@ def introduction(data):
             "have a radius of 30 bits: to make an interval a ball, and back, costs width, so that Arb is best judged "
             "at points. Plain double answers with one number: it is the floor of time and never encloses what is "
             "inexact. Boost's arithmetic is judged here where the compiler knows neither operands nor rounding "
-            "mode; where it does, it may fold an operation before the mode is set. Graze is built for every x86-64 machine (no FMA or AVX in scalar code).</p>"
+            "mode; where it does, it may fold an operation before the mode is set. Its functions are the C library's, "
+            "by its rounded_transc_opp (<i>Boost</i>), by rounded_transc_std, which asks the C library in the mode of "
+            "the bound (<i>Boost, std</i>), and with nothing rounded at all, arithmetic neither (<i>Boost, raw</i>). "
+            "Graze is built for every x86-64 machine (no FMA or AVX in scalar arithmetic).</p>"
             f"<p>Repeated by {commands}.</p>")
 
 
@@ -283,8 +286,8 @@ def time_table(results, operations, word):
         heads = ["operation", *map(name, libraries)]
         rows = [[o, *(cells[x, o] for x in libraries)] for o in operations]
     return page.table(heads, rows,
-                      f"Nanoseconds of an operation, {word}: medians, and half the distance of the quartiles where that "
-                      f"is over 3 %. Operands: {operands_text(operations)}.")
+                      f"Nanoseconds of an operation, {word}: medians, and half the distance of the quartiles where "
+                      f"that is over 5 %. Operands: {operands_text(operations)}.")
 
 
 def operands_text(operations):
@@ -297,12 +300,7 @@ def time_cell(time):
         return "-"
     half = (time["high"] - time["low"]) / 2
     words = f"{time['ns']:.3g}" if time["ns"] < 1000 else f"{time['ns']:.0f}"
-    return f"{words} ±{half:.1g}" if half > 0.03 * time["ns"] else words
-
-
-def ulps(x):
-    """An excess in few characters."""
-    return "0" if x == 0 else f"{x:.2g}" if x < 1e4 else f"{x:.0e}".replace("e+0", "e").replace("e+", "e")
+    return f"{words} ±{short(half, 1)}" if half > 0.05 * time["ns"] else words
 
 
 def excess_cell(results, library, operation):
@@ -310,7 +308,8 @@ def excess_cell(results, library, operation):
         return "-"
     v = results.verdict(library, operation)
     words = f"{ulps(v['mean_excess_ulps'])} / {ulps(v['worst_excess_ulps'])}"
-    return page.bad(f"{words}; {100 * v['unsound'] / v['count']:.2g} %") if v["unsound"] else words
+    share = f"{100 * v['unsound'] / v['count']:.2g}\u00a0%"
+    return small(page.bad(f"{words}; {share}") if v["unsound"] else words)
 
 
 def excess_table(results, operations):
@@ -321,32 +320,40 @@ def excess_table(results, operations):
                       "behind it, in red, the share of unsound results. Arithmetic is tight in every library but Arb.")
 
 
-def set_rows(results):
-    """[library, operands, judged, unsound, tight, unbounded, median of medians, worst] by library and kind of set."""
-    for library in results.libraries:
-        for word, wanted in (("timed", lambda v: v["operands"] not in ("points", "hard")),
-                             ("points", lambda v: v["operands"] == "points"),
-                             ("hard", lambda v: v["operands"] == "hard")):
-            all_of = [v for v in results.all_sets(library) if wanted(v)]
-            if is_plain(library) and word == "timed":
-                continue  # it takes points only
-            if all_of:
-                yield library, word, all_of
+KINDS = {"timed": lambda v: v["operands"] not in ("points", "hard"), "points": lambda v: v["operands"] == "points",
+         "hard": lambda v: v["operands"] == "hard"}
+
+
+def set_row(results, library):
+    """A library's verdicts on all operations: judged, unsound, tightest, unbounded, worst excess at points."""
+    kinds = [[v for v in results.all_sets(library) if wanted(v)] for wanted in KINDS.values()]
+
+    def each(cell_of):
+        return [cell_of(rows) if rows and not (k == 0 and is_plain(library)) else "-" for k, rows in enumerate(kinds)]
+
+    def unsound(rows):
+        count = sum(v["unsound"] for v in rows)
+        return page.bad(f"{100 * count / sum(v['count'] for v in rows):.2g} %") if count else "0"
+
+    def tight(rows):
+        return f"{100 * sum(v['tight'] for v in rows) / sum(v['count'] for v in rows):.3g} %"
+
+    everything = results.all_sets(library)
+    return [whole(name(library)), f"{sum(v['count'] for v in everything):,}", *each(unsound), *each(tight),
+            f"{sum(v['unbounded'] for v in everything):,}",
+            each(lambda rows: ulps(max(v["worst_excess_ulps"] for v in rows)))[1]]
 
 
 def set_table(results):
-    rows = []
-    for library, word, all_of in set_rows(results):
-        count, unsound = sum(v["count"] for v in all_of), sum(v["unsound"] for v in all_of)
-        rows.append([whole(name(library)), word, f"{count:,}", page.bad(f"{unsound:,}") if unsound else "0",
-                     f"{100 * sum(v['tight'] for v in all_of) / count:.4g} %",
-                     f"{sum(v['unbounded'] for v in all_of):,}",
-                     ulps(statistics.median([v["median_excess_ulps"] for v in all_of])),
-                     ulps(max(v["worst_excess_ulps"] for v in all_of))])
-    return page.table(["library", "operands", "judged", "unsound", "tightest", "needlessly unbounded, or none",
-                       "median excess", "worst excess"], rows,
-                      "All operations of a library together. An excess beyond 1e16 ulps is beside a bound that is 0 or "
-                      "nearly 0. Needlessly unbounded results, and those that are no interval, count apart.")
+    heads = ["library", "judged", *(f"{word} {kind}" for word in ("unsound", "tightest") for kind in KINDS),
+             "un\u00adbounded", "worst points"]
+    heads = [page.Raw(f'<span style="white-space:normal;font-size:.84em">{head}</span>') for head in heads]
+    rows = [[first, *map(small, rest)] for first, *rest in (set_row(results, x) for x in results.libraries)]
+    return page.table(heads, rows,
+                      "All operations of a library together, by kind of operands: results judged, share that is "
+                      "unsound, share that is the tightest enclosure, results that are needlessly unbounded or no interval (as "
+                      "some answer where an operand is partly outside of the domain), worst excess at points in ulps. "
+                      "Plain double takes points, of the hard operands too.")
 
 
 def whole(words):
@@ -358,22 +365,27 @@ def interval_text(pair):
     return pair[0] if pair[0] == pair[1] else f"[{pair[0]}, {pair[1]}]"
 
 
+def small(words):
+    """In smaller letters."""
+    return page.Raw(f'<span style="font-size:.84em">{page.escape(words)}</span>')
+
+
 def unsound_table(results):
     rows = []
     for library in results.libraries:
         for operation in ARITHMETIC + FUNCTIONS:
             bad = [v for v in results.all_sets(library, operation) if v["unsound"]]
-            if not bad or is_plain(library):
+            if not bad or is_plain(library) or library == "Boost not rounded":
                 continue
             example = bad[0]["example"]
             two = operation in ("add", "sub", "mul", "div", "atan2", "pow")
             judged = sum(v["count"] for v in results.all_sets(library, operation))
             rows.append([whole(name(library)), operation, f"{sum(v['unsound'] for v in bad):,} of {judged:,}",
-                         interval_text(example["x"]) + (" , " + interval_text(example["y"]) if two else ""),
-                         interval_text(example["answer"]), interval_text(example["tightest"])])
+                         small(interval_text(example["x"]) + (", " + interval_text(example["y"]) if two else "")),
+                         small(interval_text(example["answer"])), small(interval_text(example["tightest"]))])
     caption = ("Unsound results on all operands, with an example of each: operands, answer, and the tightest "
-               "enclosure, which the answer does not hold. Plain double, unsound wherever the result is inexact, is "
-               "left out.")
+               "enclosure, which the answer does not hold. Plain double and Boost, raw, unsound wherever the result "
+               "is inexact, are left out.")
     if not rows:
-        return page.text("<p>No library's results are unsound, but plain double's.</p>")
+        return page.text("<p>No library's results are unsound, but those of plain double and of Boost, raw.</p>")
     return page.table(["library", "operation", "unsound", "operands", "answer", "tightest"], rows, caption)

@@ -99,6 +99,12 @@ class HardIntervals(unittest.TestCase):
         self.assertIn("Graze holds the true value in 7 of 8", text)
         self.assertIn("Graze scalar is wrong on 3 (4/3 - 1) - 1", text)
 
+    def test_digits_of_the_true_value(self):
+        for value, words in (("-9007199254740992", "-9007199254740992"), ("408811723375.659584999", "408811723375…"),
+                             ("0.49999999999999999583", "0.499999999999…"), ("0", "0"),
+                             ("2.2844130418931805224e+222", "2.28441304189…e+222")):
+            self.assertEqual(hard_intervals.true_text({"true": value}), words)
+
     def test_decimals_are_rounded_outwards(self):
         self.assertEqual(hard_intervals.outward(1 / 3, False, 4), "0.3333")
         self.assertEqual(hard_intervals.outward(1 / 3, True, 4), "0.3334")
