@@ -115,16 +115,24 @@ graze_build() {
 }
 
 # graze_build_some PRESET TARGET...: as graze_build, without the targets that this configuration does
-# not have (their library is missing); those that fail to compile do not stop the others.
+# not have (their library is missing). One that fails to compile does not stop the others, and no older
+# program of its name is left to be measured.
 graze_build_some() {
-  local preset=$1 target known wanted=()
+  local preset=$1 target wanted=()
   shift
   graze_build "$preset" help >"build/$preset/targets.txt"
   for target; do
-    known=0
-    grep -q "^$target: phony\$" "build/$preset/targets.txt" && known=1
-    ((known)) && wanted+=("$target") || echo "not built here: $target"
+    if grep -q "^$target: phony\$" "build/$preset/targets.txt"; then
+      wanted+=("$target")
+    else
+      echo "not built here: $target"
+    fi
   done
-  ((${#wanted[@]} == 0)) || cmake --build --preset "$preset" --target "${wanted[@]}" -- -k 0 ||
-    echo "not everything could be built" >&2
+  ((${#wanted[@]})) || return 0
+  cmake --build --preset "$preset" --target "${wanted[@]}" -- -k 0 && return 0
+  for target in "${wanted[@]}"; do
+    cmake --build --preset "$preset" --target "$target" >/dev/null 2>&1 && continue
+    echo "could not be built: $target" >&2
+    rm -f "build/$preset/bin/$target"
+  done
 }

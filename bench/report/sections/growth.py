@@ -19,7 +19,8 @@ def measure(context):
     start, base = min(s.processor for s in starts), statistics.median([s.peak_bytes for s in starts])
     parts = {"nl": levels_of_descent, "octree": octree_levels, "pixels": pixels, "spheres": spheres, "terms": terms,
              "threads": threads, "campaign": campaign_threads}
-    data = {"start_seconds": start, "start_bytes": base, "cores": len(os.sched_getaffinity(0))}
+    data = {"load": os.getloadavg()[0], "start_seconds": start, "start_bytes": base,
+            "cores": len(os.sched_getaffinity(0))}
     for name, part in parts.items():
         context.progress(name)
         data[name] = part(context, start)
@@ -27,14 +28,15 @@ def measure(context):
 
 
 def render(context, start, arguments, core=None):
-    """What graze-render tells; seconds are the rendering's (the octree's included) by the clock, or, of one thread,
-    the processor time of the process less its start, where that is less: others' work on the core is left out."""
+    """What graze-render tells; seconds are the rendering's (the octree's included) by the clock, or the processor
+    time of the process less that of its start, where that is less: others' work on the core is left out. By the clock
+    alone where start is None."""
     program = context.needed("graze-render")
     command = [program, *arguments, "--json", "-o", context.work / "growth.png"]
     usage = context.measured(command, core=core)
     told = json.loads(usage.stdout.splitlines()[-1])
     seconds = told["seconds"] + told["octree_seconds"]
-    if told["threads"] == 1:
+    if start is not None:
         seconds = min(seconds, max(usage.processor - start, 1e-4))
     return {"seconds": seconds, "peak_bytes": usage.peak_bytes, "hits": told["hits"],
             "undecided": told["undecided"], "pixels": told["pixels"],
@@ -110,11 +112,13 @@ def term_formula(n):
 
 
 def formulas(context, start, key, counts, formula):
-    size = context.share(256, 96)
+    side = context.share(256, 96)  # the middle of a picture of twice the size: few pixels beside the balls
+    common = ["--domain=-1.75,1.75", "--threads", "1", "--size", 2 * side, "--crop",
+              f"{side // 2},{side // 2},{side},{side}"]
     cases = [{"method": m, key: n} for m in METHODS for n in counts]
-    return in_turn(cases, lambda c: render(context, start, ["--formula", formula(c[key]), "--domain=-1.75,1.75",
-                                                            "--threads", "1", "--size", size, *METHODS[c["method"]]]),
-                   context.share(5, 1), least=1 if context.quick else 3)
+    return in_turn(cases, lambda c: render(context, start, ["--formula", formula(c[key]), *common,
+                                                            *METHODS[c["method"]]]),
+                   context.share(5, 3))
 
 
 def spheres(context, start):
@@ -132,13 +136,13 @@ def thread_counts(context):
     return {n: ",".join(map(str, cores[:n])) for n in counts}
 
 
-def threads(context, start):
+def threads(context, _start):
     on, size = thread_counts(context), context.share(1024, 384)
     cases = [{"method": m, "threads": n} for n in on for m in METHODS]
 
     def run(case):
         arguments = ["--scene", "tanglecube", "--size", size, "--threads", case["threads"], *METHODS[case["method"]]]
-        return render(context, start, arguments, core=on[case["threads"]])
+        return render(context, None, arguments, core=on[case["threads"]])
 
     return in_turn(cases, run, context.share(7, 3))
 
@@ -326,8 +330,8 @@ def show_octree(data):
     levels = [r["level"] for r in data["octree"]]
     caption = (f"Voxelization from level {min(levels)} to level {max(levels)}, one thread: above a fixed cost, time "
                "and bytes follow the octants that the surface meets, four times as many with each level. At the "
-               f"deepest level: {words}. Memory is above the program's own {size_of(data['start_bytes'])}, from 1 MiB on; "
-               "dotted, the file that is written.")
+               f"deepest level: {words}. Memory is above the program's own {size_of(data['start_bytes'])}, from 1 MiB "
+               "on; dotted, the file that is written.")
     return [page.heading("The octree's level"), page.figure(svg, caption)]
 
 
@@ -398,7 +402,7 @@ def show_threads(data):
                         x_ticks={n: str(n) for n in sorted({1, *(r[1] for r in rows)})})
     blocks.append(page.figure(svg, f"Times as fast as one thread, by the clock; the dotted line is the ideal. {only} "
                               "Pictures and campaigns share nothing but their result among threads; what else the "
-                              "machine does lowers the lines."))
+                              f"machine does moves the lines (its load before: {data.get('load', 0):.1f})."))
     memory = "; ".join(f"{r['threads']}: {size_of(r['peak_bytes'])}" for r in data["threads"]
                        if r["method"] == "certified")
     return [*blocks, page.table(["work", "threads", "speed-up", "of the ideal"], rows,

@@ -5,6 +5,7 @@ from report import figures
 from report.sections.interval_libraries import group, is_held, name
 
 LEAST, MOST = 1e-4, 1e20  # excesses on the axis, in ulps
+ROOM = 190  # pixels of the overview above the band
 BOTTOM = math.log10(LEAST) - 0.35  # below it is the band
 
 
@@ -20,11 +21,11 @@ class Band:
             return BOTTOM - self.decades * (1 - lane)
         return math.log10(min(max(excess, LEAST), MOST))
 
-    def draw(self, ax, top, labels=True):
-        """The axis up to `top`."""
+    def draw(self, ax, top, labels=True, step=3):
+        """The axis up to `top`, with a number every `step` decades."""
         ax.set_ylim(BOTTOM - self.decades, top)
         ax.axhspan(BOTTOM - self.decades, BOTTOM, color="#e8f0e4", zorder=0, linewidth=0)
-        decades = [d for d in range(-3, 21, 3) if d < top]
+        decades = [d for d in range(-3 if step == 3 else 0, 21, step) if d < top]
         text = {-3: "0.001", 0: "1", 3: "1000"}
         ax.set_yticks([BOTTOM - self.decades / 2, *decades],
                       ["0", *(text.get(d, f"$10^{{{d}}}$") for d in decades)] if labels else [])
@@ -114,11 +115,11 @@ def draw_overview(ax, title, points, band):
     tight = sorted((p for p in points if p["y"] == 0), key=lambda p: -p["x"])
     for k, p in enumerate(tight):
         p["place"] = band.place(0, (k + 0.5) / len(tight))
-    beside = {}  # names of points that lie together, one above the other
-    for p in sorted(points, key=lambda p: p["x"]):
+    before, lift = (0, 0), 0  # names of points that lie together stand one above the other
+    for p in sorted(points, key=lambda p: (p["y"] == 0, p["x"])):
         y = p.get("place", band.place(p["y"]))
-        lift = beside.get(round(y), 0) if p["y"] > 0 else 0
-        beside[round(y)] = lift + 11
+        together = p["y"] > 0 and p["x"] < 3 * before[0] and abs(y - before[1]) < 1
+        before, lift = (p["x"], y), lift + 11 if together else 0
         draw_point(ax, p["x"], y, p["library"], p["marked"], size=6)
         ax.annotate(name(p["library"]), (p["x"], y), xytext=(8, lift), textcoords="offset points", fontsize=8.5,
                     va="center", color=figures.look(name(p["library"]))[0])
@@ -134,15 +135,16 @@ def draw_overview(ax, title, points, band):
 def overview(panels, width=900):
     """[(title, points)] below each other, as high as they have names."""
     panels = [(title, points) for title, points in panels if points]
-    fig, axes = figures.new(width, 420 * len(panels) + 30, len(panels), 1, squeeze=False)
-    for ax, (title, points) in zip(axes.flat, panels):
+    tight = [sum(p["y"] == 0 for p in points) for _, points in panels]
+    heights = [22 * n + ROOM for n in tight]  # a line for each that is tight, and room for the others
+    fig, axes = figures.new(width, sum(heights) + 90 * len(panels) + 30, len(panels), 1, squeeze=False,
+                            gridspec_kw={"height_ratios": heights})
+    for ax, (title, points), n in zip(axes.flat, panels, tight):
         worst = max(p["y"] for p in points)
         top = max(2, math.log10(worst) + 1.5) if worst else 1
-        tight = sum(p["y"] == 0 for p in points)
-        rest = max(4, 21 - tight) / 21  # of the height, for what is not tight
-        band = Band((top - BOTTOM) * (1 / rest - 1))
+        band = Band((top - BOTTOM) * 22 * n / ROOM)
         draw_overview(ax, title, points, band)
-        band.draw(ax, top)
+        band.draw(ax, top, step=6 if top > 12 else 3)
         ax.set_ylabel("worst excess, ulps")
-    legend_below(fig, handles([]), 30 / (420 * len(panels) + 30), 2)
+    legend_below(fig, handles([]), 30 / (sum(heights) + 90 * len(panels) + 30), 2)
     return figures.finish(fig)

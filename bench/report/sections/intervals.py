@@ -14,6 +14,10 @@ TARGETS = ["interval_bench", "graze-interval-report", "graze-inari"]
 ARITHMETIC = ["add", "sub", "mul", "div", "sqr", "sqrt"]
 FUNCTIONS = ["exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "pown(x,4)",
              "pow"]
+# why a peer may be faster
+CAUSES = {("CGAL unprotected", "mul"): "it has no empty set and does not test for it",
+          ("Boost unprotected", "sqr"): "it branches on signs, which are predicted for operands that repeat; Graze does "
+                                        "not branch"}
 SETS = {"add": "mixed", "sub": "mixed", "mul": "mixed", "div": "mixed", "sqr": "mixed", "sqrt": "positive"}
 
 
@@ -107,8 +111,8 @@ def is_plain(library):
 
 
 def rivals(results):
-    """[(operation, peer's time, graze's, ratio)] where a peer is faster than the fastest scalar graze that is called
-    in the same way, sound on every set, and on the timed set no wider; quartiles apart."""
+    """[(operation, peer, graze's library, ratio of times, mean excess)] where a peer that is sound on every set is faster
+    than the fastest scalar graze that is called in the same way: quartiles apart, and 3 % at least."""
     found = []
     for operation in ARITHMETIC + FUNCTIONS:
         for held in (False, True):
@@ -120,7 +124,7 @@ def rivals(results):
                     continue
                 theirs = results.time(peer, operation)
                 wider = results.verdict(peer, operation)["mean_excess_ulps"]
-                if theirs["high"] < ours["low"]:
+                if theirs["high"] < ours["low"] and theirs["ns"] < 0.97 * ours["ns"]:
                     found.append((operation, peer, ours["library"], theirs["ns"] / ours["ns"], wider))
     return found
 
@@ -133,11 +137,12 @@ def fastest(results, operation, held):
 
 
 def named_rivals(rows):
-    return "; ".join(f"{name(peer)} on {operation} takes {ratio:.2f} of the time of {name(ours)}"
+    return "; ".join(f"{name(peer)} on {operation} takes {ratio:.2f} of the time of {name(ours)}" +
+                     (f" ({CAUSES[peer, operation]})" if (peer, operation) in CAUSES else "")
                      for operation, peer, ours, ratio, _ in rows)
 
 
-def rivals_text(results):
+def rivals_text(results, with_unsound=True):
     """Where a peer is faster, plainly."""
     all_rows = rivals(results)
     equal, wider = [r for r in all_rows if r[4] == 0], [r for r in all_rows if r[4] > 0]
@@ -150,7 +155,7 @@ def rivals_text(results):
                       if not is_graze(x) and not is_plain(x) and results.has(x, o) and results.unsound(x, o)
                       and fastest(results, o, is_held(x))
                       and results.time(x, o)["ns"] < fastest(results, o, is_held(x))["ns"]})
-    if unsound:
+    if unsound and with_unsound:
         libraries = dict.fromkeys(library for library, _ in unsound)
         words.append("Faster, but unsound: " + "; ".join(
             f"{library} on {', '.join(o for who, o in unsound if who == library)}" for library in libraries) + ".")
@@ -204,7 +209,7 @@ def show(data):
     blocks.append(page.figure(
         interval_figures.overview([("Arithmetic: " + ", ".join(arithmetic), summary_points(results, arithmetic)),
                                    ("Functions: " + ", ".join(functions), summary_points(results, functions))]),
-        overview_caption(results, arithmetic, functions)))
+        overview_caption(results)))
     for operations, word in ((ARITHMETIC, "arithmetic"), (FUNCTIONS, "functions")):
         blocks.append(time_table(results, operations, word))
     blocks.append(excess_table(results, FUNCTIONS))
@@ -216,7 +221,7 @@ def show(data):
 def summary(data):
     """Sentences for the head of the page."""
     results = Results(data)
-    return [soundness_text(results), rivals_text(results)]
+    return [f"{soundness_text(results)} {fastest_text(results)}", rivals_text(results, with_unsound=False)]
 
 
 def introduction(data):
@@ -244,9 +249,17 @@ def grid_caption(results):
             f"cross. {soundness_text(results)} {rivals_text(results)}")
 
 
-def overview_caption(results, arithmetic, functions):
+def overview_caption(results):
+    return ("Over all operations that the libraries have in common: the geometric mean of time as a multiple of plain, "
+            "not vectorised double, against the worst excess on the timed operands. " + fastest_text(results))
+
+
+def fastest_text(results):
+    """Which is the fastest that is sound and tight."""
     words = []
-    for operations, word in ((arithmetic, "arithmetic"), (functions, "functions")):
+    for operations, word in ((ARITHMETIC, "arithmetic"), (common(results, FUNCTIONS), "functions")):
+        if not operations:
+            continue
         points = [p for p in summary_points(results, operations) if not is_plain(p["library"])]
         sound = [p for p in points if not p["marked"] and p["y"] == 0]
         if sound:
@@ -256,16 +269,22 @@ def overview_caption(results, arithmetic, functions):
                          f"{best['x']:.3g} times plain double" +
                          (f"; of the peers {name(peer['library'])}, at {peer['x']:.3g} times." if
                           (peer := min(peers, key=lambda p: p["x"], default=None)) else "; no peer is both."))
-    return ("Over all operations that the libraries have in common: the geometric mean of time as a multiple of plain, "
-            "not vectorised double, against the worst excess on the timed operands. " + " ".join(words))
+    return " ".join(words)
 
 
 def time_table(results, operations, word):
+    """A row for each of those that are more, libraries or operations."""
     libraries = results.with_all(operations)
-    rows = [[name(x), *(time_cell(results.time(x, o)) for o in operations)] for x in libraries]
-    return page.table(["library", *operations], rows,
-                      f"Nanoseconds of an operation, {word}: medians (quartiles where they differ from it by over 5 %). "
-                      f"Operands: {operands_text(operations)}.")
+    cells = {(x, o): time_cell(results.time(x, o)) for x in libraries for o in operations}
+    if len(libraries) > len(operations):
+        heads = ["library", *operations]
+        rows = [[whole(name(x)), *(cells[x, o] for o in operations)] for x in libraries]
+    else:
+        heads = ["operation", *map(name, libraries)]
+        rows = [[o, *(cells[x, o] for x in libraries)] for o in operations]
+    return page.table(heads, rows,
+                      f"Nanoseconds of an operation, {word}: medians, and half the distance of the quartiles where that "
+                      f"is over 3 %. Operands: {operands_text(operations)}.")
 
 
 def operands_text(operations):
@@ -276,9 +295,9 @@ def operands_text(operations):
 def time_cell(time):
     if time is None:
         return "-"
-    if max(time["high"] / time["ns"], time["ns"] / max(time["low"], 1e-9)) < 1.05:
-        return f"{time['ns']:.3g}"
-    return f"{time['ns']:.3g} ({time['low']:.3g}–{time['high']:.3g})"
+    half = (time["high"] - time["low"]) / 2
+    words = f"{time['ns']:.3g}" if time["ns"] < 1000 else f"{time['ns']:.0f}"
+    return f"{words} ±{half:.1g}" if half > 0.03 * time["ns"] else words
 
 
 def ulps(x):
@@ -319,7 +338,7 @@ def set_table(results):
     rows = []
     for library, word, all_of in set_rows(results):
         count, unsound = sum(v["count"] for v in all_of), sum(v["unsound"] for v in all_of)
-        rows.append([name(library), word, f"{count:,}", page.bad(f"{unsound:,}") if unsound else "0",
+        rows.append([whole(name(library)), word, f"{count:,}", page.bad(f"{unsound:,}") if unsound else "0",
                      f"{100 * sum(v['tight'] for v in all_of) / count:.4g} %",
                      f"{sum(v['unbounded'] for v in all_of):,}",
                      ulps(statistics.median([v["median_excess_ulps"] for v in all_of])),
@@ -328,6 +347,11 @@ def set_table(results):
                        "median excess", "worst excess"], rows,
                       "All operations of a library together. An excess beyond 1e16 ulps is beside a bound that is 0 or "
                       "nearly 0. Needlessly unbounded results, and those that are no interval, count apart.")
+
+
+def whole(words):
+    """Not broken over lines."""
+    return words.replace(" ", "\u00a0").replace("-", "\u2011")
 
 
 def interval_text(pair):
@@ -343,8 +367,8 @@ def unsound_table(results):
                 continue
             example = bad[0]["example"]
             two = operation in ("add", "sub", "mul", "div", "atan2", "pow")
-            rows.append([name(library), operation,
-                         f"{sum(v['unsound'] for v in bad):,} of {sum(v['count'] for v in results.all_sets(library, operation)):,}",
+            judged = sum(v["count"] for v in results.all_sets(library, operation))
+            rows.append([whole(name(library)), operation, f"{sum(v['unsound'] for v in bad):,} of {judged:,}",
                          interval_text(example["x"]) + (" , " + interval_text(example["y"]) if two else ""),
                          interval_text(example["answer"]), interval_text(example["tightest"])])
     caption = ("Unsound results on all operands, with an example of each: operands, answer, and the tightest "
