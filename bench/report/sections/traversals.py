@@ -25,7 +25,7 @@ UNTIMED = {"octomap-cast-ray": "OctoMap, castRay", "openvdb-dda": "OpenVDB, DDA"
 # each of OpenVDB's hangs costs two seconds
 RAYS = {"openvdb-volume": (6000, 300), "openvdb": (600, 60), "nanovdb": (20000, 300), "octomap": (6000, 150),
         "embree": (20000, 1500), "pcl": (30000, 300), "cgal-octree-epeck": (20000, 1000), "cgal": (80000, 2000)}
-IN_PROCESS = (1_000_000, 20_000)
+IN_PROCESS = (2_000_000, 20_000)
 
 
 def rays_of(traversal, quick):
