@@ -25,11 +25,10 @@ nav li { margin: .1rem 0; }
 figure { margin: 1.2rem 0 1.8rem; }
 .card { background: #fff; border: 1px solid var(--line); border-radius: 6px; padding: 8px; }
 .card svg { display: block; width: 100%; height: auto; }
-figcaption, caption { color: var(--faint); font-size: .92rem; text-align: left; }
-figcaption { margin-top: .5rem; }
-caption { caption-side: top; padding-bottom: .4rem; }
-figcaption b, caption b { color: var(--ink); }
-.wide { overflow-x: auto; margin: 1.2rem 0 1.8rem; }
+figcaption { color: var(--faint); font-size: .92rem; margin-top: .5rem; }
+figcaption.above { margin: 0 0 .4rem; }
+figcaption b { color: var(--ink); }
+.wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; min-width: 50%; }
 th, td { padding: .3rem .65rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 th { border-bottom: 2px solid var(--line); vertical-align: bottom; }
@@ -103,9 +102,9 @@ def table_html(block, number):
 
     heads = "".join(cell("th", k, words) for k, words in enumerate(block["heads"]))
     body = "\n".join("<tr>" + "".join(cell("td", k, words) for k, words in enumerate(row)) + "</tr>" for row in rows)
-    return (f'<div class="wide"><table id="table-{number}">\n<caption><b>Table {number}.</b> '
-            f"{escape(block['caption'])}</caption>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{body}\n</tbody>"
-            "</table></div>")
+    return (f'<figure id="table-{number}"><figcaption class="above"><b>Table {number}.</b> {escape(block["caption"])}'
+            f'</figcaption>\n<div class="wide"><table><thead><tr>{heads}</tr></thead>\n<tbody>\n{body}\n</tbody></table>'
+            "</div></figure>")
 
 
 def block_html(block, numbering):

@@ -30,13 +30,16 @@ class Page(html.parser.HTMLParser):
     def __init__(self):
         super().__init__()
         self.open, self.captions, self.axes, self.links, self.ids, self.fetched = [], [], [], [], set(), []
+        self.below = False
 
     def handle_starttag(self, tag, attrs):
         attributes = dict(attrs)
         if tag not in VOID:
             self.open.append(tag)
         if tag == "figcaption":
-            self.captions.append("")
+            self.below = attributes.get("class") != "above"  # those of tables are above
+            if self.below:
+                self.captions.append("")
         if tag in ("script", "link", "img", "iframe"):
             self.fetched.append(tag)
         if tag == "a":
@@ -49,7 +52,7 @@ class Page(html.parser.HTMLParser):
             self.open.pop()
 
     def handle_data(self, data):
-        if "figcaption" in self.open:
+        if "figcaption" in self.open and self.below:
             self.captions[-1] += data
         if self.open[-1:] == ["desc"]:
             self.axes.append(data)
