@@ -202,8 +202,11 @@ int main(int argc, char** argv) {
       how.seconds = std::atof(argv[++i]);
     else if (a == "--levels" && i + 1 < argc) {
       how.levels.clear();
-      for (const std::string& level : parts_of(argv[++i]))
+      for (const std::string& level : parts_of(argv[++i])) {
         how.levels.push_back(std::atoi(level.c_str()));
+        if (level.empty() || how.levels.back() < 0 || how.levels.back() > 53)
+          return complain("a level must be 1 to 53, or 0 for certified hits alone");
+      }
     } else if (a == "--repetitions" && number(how.repetitions, 1000))
       continue;
     else if (a == "--size" && number(how.size, 4096))

@@ -24,6 +24,10 @@ def best(scene, methods, levels):
     return min(rows, key=lambda r: r["seconds"]) if rows else None
 
 
+def pixels(count):
+    return "no wrong pixel" if count == 0 else "1 wrong pixel" if count == 1 else f"{count:,} wrong pixels"
+
+
 def marked(count):
     """A cell: red where it is not 0."""
     return page.bad(count) if count else 0
@@ -67,7 +71,7 @@ def summary(data):
         mistaken = sum(wrong(best(scene, CERTIFIED, 0)) for scene in scenes.values())
         span = f"{ratios[low]:.0f} ({low})" + (f" to {ratios[high]:.0f} ({high})" if high != low else "")
         told.append(f"Images: certified casting to some ulps is {span} times as fast as POV-Ray's isosurface at its "
-                    f"finest accuracy, with {mistaken or 'no'} wrong pixels." if ratios[low] > 1 else
+                    f"finest accuracy, with {pixels(mistaken)}." if ratios[low] > 1 else
                     f"Images: POV-Ray's isosurface is faster than certified casting on {low}.")
     for entry in data["fidget"][:1]:
         told.append(fidget_words(entry))
@@ -149,8 +153,8 @@ def scene_caption(name, scene, data):
     certified = best(scene, CERTIFIED, 0)
     words = (f"{name}: lower is more exact, further left is faster; a line follows NL (POV-Ray's: its accuracy). A "
              f"certified hit takes {seconds_text(certified['seconds'])} s ({certified['method'].split()[1]}) for the "
-             f"whole picture to a median error of {scientific(certified['depth'][0])}, with {wrong(certified)} wrong "
-             "pixels. ")
+             f"whole picture to a median error of {scientific(certified['depth'][0])}, with "
+             f"{pixels(wrong(certified))}. ")
     descent = best(scene, SOUND, 30)
     words += (f"The descent to NL 30 takes {seconds_text(descent['seconds'])} s ({descent['method']}) to "
               f"{scientific(descent['depth'][0])}. ")
@@ -160,8 +164,8 @@ def scene_caption(name, scene, data):
         first = {}
         for r in sorted(mistaken, key=lambda r: r["levels"]):
             first.setdefault(r["method"], r)
-        words += ("Red crosses: " + "; ".join(f"{m} from NL {r['levels']} on ({wrong(r)} wrong pixels there)"
-                                              for m, r in first.items()) + ". ")
+        words += "Red crosses: " + "; ".join(f"{m} from NL {r['levels']} on ({pixels(wrong(r))} there)"
+                                             for m, r in first.items()) + ". "
     if fidget_of(data, name):
         voxels = fidget_of(data, name)["depth"][2] * scene["size"] / (2 * povray.SCENES[name][2])
         words += f"fidget's picture is orthographic; its heights are off by {voxels:.2f} of a voxel at most. "
@@ -215,8 +219,10 @@ def povray_words(scene):
     descent = descent_of(scene)
     behind = [r for r in rows if descent and statistics.median(r["seconds"]) < descent]
     if behind:
-        words += (f"The descent to NL 30 with its octree ({seconds_text(descent)} s) is slower than POV-Ray at "
-                  f"{powers(behind)}, which is told the greatest slope that the descent has to find out. ")
+        words += (f"POV-Ray at {powers(behind)} is faster than the descent to NL 30 with its octree "
+                  f"({seconds_text(descent)} s, {seconds_text(scene['octree_seconds'])} s of them the octree's, made "
+                  "once for any number of rays): POV-Ray is told the greatest slope, which the octree has to do "
+                  "without. ")
     return words
 
 
@@ -235,8 +241,9 @@ def wrong_figure(scenes, names):
     for name in names:
         points = [{"library": library, "x": p["x"], "y": p["count"], "marked": p["count"] > 0, "text": p["text"]}
                   for library, p in wrong_points(scenes[name])]
-        panels.append({"points": points, "x_label": "seconds", "title": name, "marked_label": "wrong pixels",
-                       "y_label": f"wrong pixels of {scenes[name]['size'] ** 2:,}"})
+        size = scenes[name]["size"]
+        panels.append({"points": points, "x_label": f"seconds for {size} x {size} rays", "title": name,
+                       "marked_label": "wrong pixels", "y_label": f"wrong pixels of {size ** 2:,}"})
     return figures.scatter_panels(panels, columns=len(panels), row_height=440)
 
 
@@ -250,19 +257,26 @@ def wrong_points(scene):
         yield "POV-Ray", {"x": statistics.median(r["seconds"]), "count": wrong(r), "text": text if wrong(r) else ""}
 
 
+def loss(row):
+    """What too small a max_gradient costs POV-Ray: pixels, or else depth."""
+    if wrong(row) or not row["depth"] or row["depth"][2] < 10 * row["accuracy"]:
+        return pixels(wrong(row))
+    return f"no wrong pixel, but depths off by up to {scientific(row['depth'][2])}"
+
+
 def wrong_caption(scenes, names):
     words = ["Wrong pixels against seconds; 0 is the line at the bottom, where a reference picture belongs."]
     for name in names:
         scene = scenes[name]
         sound = [r for r in scene["rows"] if r["method"] in SOUND + CERTIFIED + ["split", "exact"]]
         worst = max(sound, key=wrong)
-        count = f"{wrong(worst)} wrong pixels ({worst['method']})" if wrong(worst) else "no wrong pixel at any NL"
+        count = pixels(wrong(worst)) + (f" ({worst['method']})" if wrong(worst) else " at any NL")
         told = f"{name}: the sound methods of graze have {count}"
         small = [r for r in scene["povray"] if not r["correct"]]
         if small:
-            losses = ", ".join(f"{r['max_gradient']:g} ({wrong(r):,} wrong)" for r in small)
-            told += (f"; POV-Ray is told max_gradient {losses} instead of {scene['povray'][0]['max_gradient']:g}, "
-                     f"and {'loses pixels silently' if any(map(wrong, small)) else 'loses nothing'}")
+            losses = ", ".join(f"{r['max_gradient']:g} ({loss(r)})" for r in small)
+            told += (f"; POV-Ray, told a max_gradient of {losses} instead of {scene['povray'][0]['max_gradient']:g}, "
+                     "says nothing of it in its picture")
         right = [r for r in scene["povray"] if r["correct"] and wrong(r)]
         if right:
             told += "; with the correct one it has wrong pixels at accuracy " + ", ".join(

@@ -48,10 +48,15 @@ class Page(unittest.TestCase):
     def test_claims_follow_the_data(self):
         text = words(images.show(DATA))
         self.assertIn("have no wrong pixel at any NL", text)
-        self.assertIn("10 (1,735 wrong), 20 (22 wrong) instead of 65, and loses pixels silently", text)
+        self.assertIn("told a max_gradient of 10 (1,735 wrong pixels), 20 (22 wrong pixels) instead of 65", text)
         self.assertIn("gargantini from NL 50 on (242 wrong pixels there)", text)
         self.assertIn("Only gargantini, plain make mistakes", text)
         self.assertNotIn("POV-Ray is faster", text)
+
+    def test_wrong_depths_without_a_wrong_pixel_are_told(self):
+        data = copy.deepcopy(DATA)
+        data["scenes"]["tanglecube"]["povray"][-1]["wrong_misses"] = 0
+        self.assertIn("20 (no wrong pixel, but depths off by up to 1.8e-1)", words(images.show(data)))
 
     def test_a_wrong_pixel_of_a_sound_method_is_told(self):
         text = words(images.show(changed(avx512={"wrong_misses": 3})))
