@@ -1,9 +1,11 @@
 // interval_bench: ns an operation of graze::interval and of its peers, and as a multiple of plain
-// double or of the C library's function. Options are Google Benchmark's; the table at the end holds
-// medians where --benchmark_repetitions is given.
+// double or of the C library's function. Options are Google Benchmark's, and --operands=N (4096: so
+// few that branch predictors learn them); the table at the end holds medians where
+// --benchmark_repetitions is given.
 #include "measure.hpp"
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -58,9 +60,31 @@ private:
   std::map<std::pair<std::string, std::string>, std::vector<double>> times_;
 };
 
+/// Takes --operands=N, 1 to 2^22, out of the arguments; returns false where N is none.
+bool take_operands(int& argc, char** argv) {
+  const std::string option = "--operands=";
+  for (int i = 1; i < argc; ++i)
+    if (std::string(argv[i]).starts_with(option)) {
+      char* end = nullptr;
+      const char* const digits = argv[i] + option.size();
+      const unsigned long n = std::strtoul(digits, &end, 10);
+      if (end == digits || *end != 0 || n < 1 || n > (1u << 22))
+        return false;
+      graze::bench::size = n;
+      std::copy(argv + i + 1, argv + argc, argv + i);
+      --argc, --i;
+    }
+  return true;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!take_operands(argc, argv)) {
+    std::fprintf(stderr, "interval_bench: --operands takes a number from 1 to 4194304\n");
+    return 2;
+  }
+  benchmark::AddCustomContext("operands", std::to_string(graze::bench::size));
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))
     return 2;

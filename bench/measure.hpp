@@ -13,7 +13,7 @@
 
 namespace graze::bench {
 
-inline constexpr std::size_t size = 4096;
+inline std::size_t size = 4096;
 
 /// An interval, and a number for plain double: a random point of the function's domain.
 struct ends {

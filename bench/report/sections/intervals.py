@@ -14,10 +14,6 @@ TARGETS = ["interval_bench", "graze-interval-report", "graze-inari"]
 ARITHMETIC = ["add", "sub", "mul", "div", "sqr", "sqrt"]
 FUNCTIONS = ["exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "pown(x,4)",
              "pow"]
-# why a peer may be faster
-CAUSES = {("CGAL unprotected", "mul"): "it has no empty set and does not test for it",
-          ("Boost unprotected", "sqr"): "it branches on signs, which are predicted for operands that repeat; "
-                                        "Graze does not branch"}
 SETS = {"add": "mixed", "sub": "mixed", "mul": "mixed", "div": "mixed", "sqr": "mixed", "sqrt": "positive"}
 
 
@@ -45,9 +41,13 @@ def measure(context):
         bench.append(f"--benchmark_filter=-polynomial|log/positive|^({functions})/mixed/")
     context.progress(f"operations are timed, {repetitions} repetitions in random order")
     context.run(bench, timeout=context.share(1200, 200))
-    return {"times": times_of(json.loads(out.read_text())), "verdicts": verdicts, "missing": missing,
+    times = times_of(json.loads(out.read_text()))
+    many = [*bench[:6], "--operands=65536", f"--benchmark_filter=^({'|'.join(ARITHMETIC)})/"]
+    context.progress("arithmetic is timed on operands that branch predictors cannot learn")
+    context.run(many, timeout=context.share(600, 100))
+    return {"times": times, "many": times_of(json.loads(out.read_text())), "verdicts": verdicts, "missing": missing,
             "count": count, "repetitions": repetitions,
-            "commands": [words_of(bench), words_of(judge)]}
+            "commands": [words_of(bench), words_of(many), words_of(judge)]}
 
 
 def words_of(command):
@@ -58,7 +58,7 @@ def words_of(command):
 
 def times_of(benchmark):
     """[{operation, operands, library, ns, low, high}] of Google Benchmark's JSON: medians, quartiles."""
-    runs, size = {}, 4096
+    runs, size = {}, int(benchmark["context"]["operands"])
     for run in benchmark["benchmarks"]:
         if run["run_type"] == "iteration":
             runs.setdefault(run["run_name"].split("/repeats:")[0], []).append(run["cpu_time"] / size)
@@ -79,10 +79,15 @@ class Results:
     def __init__(self, data):
         self.times = {(t["library"], t["operation"], t["operands"]): t for t in data["times"]}
         self.verdicts = {(v["library"], v["operation"], v["operands"]): v for v in data["verdicts"]}
+        self.many = {(t["library"], t["operation"], t["operands"]): t for t in data.get("many", [])}
         self.libraries = list(dict.fromkeys(v["library"] for v in data["verdicts"]))
 
     def time(self, library, operation):
         return self.times.get((library, operation, timed_set(operation)))
+
+    def time_of_many(self, library, operation):
+        """On 65,536 operands, which no branch predictor learns."""
+        return self.many.get((library, operation, timed_set(operation)))
 
     def verdict(self, library, operation):
         return self.verdicts.get((library, operation, timed_set(operation)))
@@ -136,21 +141,26 @@ def fastest(results, operation, held):
     return min(ours, key=lambda t: t["ns"], default=None)
 
 
-def named_rivals(rows):
+def named_rivals(results, rows):
     return "; ".join(f"{name(peer)} on {operation} takes {ratio:.2f} of the time of {name(ours)}" +
-                     (f" ({CAUSES[peer, operation]})" if (peer, operation) in CAUSES else "")
-                     for operation, peer, ours, ratio, _ in rows)
+                     of_many(results, operation, peer, ours) for operation, peer, ours, ratio, _ in rows)
+
+
+def of_many(results, operation, peer, ours):
+    """The same where operands do not repeat: a peer that branches on signs is fast while they are learned."""
+    theirs, own = results.time_of_many(peer, operation), results.time_of_many(ours, operation)
+    return f" ({theirs['ns'] / own['ns']:.2f} on 65,536 operands, too many to be learned)" if theirs and own else ""
 
 
 def rivals_text(results, with_unsound=True):
     """Where a peer is faster, plainly."""
     all_rows = rivals(results)
     equal, wider = [r for r in all_rows if r[4] == 0], [r for r in all_rows if r[4] > 0]
-    words = ["A peer is faster at equal error: " + named_rivals(equal) + "." if equal else
+    words = ["A peer is faster at equal error: " + named_rivals(results, equal) + "." if equal else
              "No sound peer that is called in the same way (a rounding mode held by the caller, or not) is faster "
              "than the fastest scalar Graze at equal error."]
     if wider:
-        words.append("Faster, sound, but wider: " + named_rivals(wider) + ".")
+        words.append("Faster, sound, but wider: " + named_rivals(results, wider) + ".")
     unsound = sorted({(name(x), o) for x in results.libraries for o in ARITHMETIC + FUNCTIONS
                       if not is_graze(x) and not is_plain(x) and results.has(x, o) and results.unsound(x, o)
                       and fastest(results, o, is_held(x))
@@ -212,6 +222,8 @@ def show(data):
         overview_caption(results)))
     for operations, word in ((ARITHMETIC, "arithmetic"), (FUNCTIONS, "functions")):
         blocks.append(time_table(results, operations, word))
+        if operations is ARITHMETIC and results.many:
+            blocks.append(many_table(results))
     blocks.append(excess_table(results, FUNCTIONS))
     blocks.append(set_table(results))
     blocks.append(unsound_table(results))
@@ -226,8 +238,8 @@ def summary(data):
 
 def introduction(data):
     commands = "; ".join(f"<code>{page.escape(c)}</code>" for c in data["commands"])
-    return (f"<p>Each library does the same operation on the same {data['count']:,} intervals of each set; 4,096 are "
-            f"timed, one after the other, {data['repetitions']} repetitions of all contenders in random order. A "
+    return (f"<p>Each library does the same operation on the same {data['count']:,} intervals of each set; 4,096 (or "
+            f"65,536) are timed, one after the other, {data['repetitions']} repetitions of all contenders in random order. A "
             "result is <i>unsound</i> if a part of the true range is outside of it. Its <i>excess</i> is how far its "
             "two bounds are outside of the tightest enclosure, which MPFR finds, in ulps of the tightest bound (of "
             "the other bound where that is 0). Besides the timed operands, <i>points</i> (intervals of no width) "
@@ -288,6 +300,15 @@ def time_table(results, operations, word):
     return page.table(heads, rows,
                       f"Nanoseconds of an operation, {word}: medians, and half the distance of the quartiles where "
                       f"that is over 5 %. Operands: {operands_text(operations)}.")
+
+
+def many_table(results):
+    libraries = [x for x in results.with_all(ARITHMETIC) if results.time_of_many(x, "add")]
+    rows = [[whole(name(x)), *(time_cell(results.time_of_many(x, o)) for o in ARITHMETIC)] for x in libraries]
+    return page.table(["library", *ARITHMETIC], rows,
+                      "The same on 65,536 operands. The 4,096 of the table above repeat, and branch predictors learn "
+                      "them: a library that branches on signs takes longer here; what has no branches differs by the "
+                      "caches alone.")
 
 
 def operands_text(operations):
