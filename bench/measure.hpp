@@ -1,5 +1,5 @@
 #pragma once
-/// What is measured, the same for every library: 4,096 operations on arrays, one after the other.
+/// What is measured, the same for every library: operations on arrays, one after the other.
 /// A contender is timed by interval_bench and judged by graze-interval-report.
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -13,6 +13,8 @@
 
 namespace graze::bench {
 
+/// Operands of an array: what a core's fastest cache holds, and few enough for a branch predictor to
+/// learn (--operands).
 inline std::size_t size = 4096;
 
 /// An interval, and a number for plain double: a random point of the function's domain.

@@ -4,7 +4,8 @@ usage: bench/graze-report [options]
 
   --quick               two minutes: smaller sizes and fewer repetitions (the full run: 40 minutes)
   --only SECTION[,...]  only these: intervals, traversals, images, hard_intervals, hard_rays, growth
-  --out DIR             where index.html and report.json are written (default: out/report)
+  --out DIR             where index.html, report.json and each figure, SECTION-NUMBER.svg, are written
+                        (default: out/report)
   --from FILE           draws the page again from a report.json, without measuring
   --core N              the core that measurements are pinned to (default: 0)
   --json                the last line is a JSON object: page, report, states of the sections, summary
@@ -230,6 +231,10 @@ def finish(given, report, modules, out):
     """Writes the page; tells of it on stdout. Returns whether every section is there."""
     all_shown = shown(report, modules)
     write(out / "index.html", page.page_html(report, all_shown))
+    for name, _, _, blocks, _ in all_shown:
+        drawn = [block["svg"] for block in blocks if block["kind"] == "figure" and block["svg"]]
+        for number, svg in enumerate(drawn, 1):
+            write(out / f"{name}-{number}.svg", svg)
     states = {name: entry["state"] for name, _, entry, _, _ in all_shown}
     sentences = [words for *_, all_words in all_shown for words in all_words]
     if given.json:
