@@ -60,6 +60,15 @@ class Intervals(unittest.TestCase):
         fast = changed("times", {"library": "CGAL unprotected"}, ns=0.02, low=0.019, high=0.021)
         self.assertIn("CGAL unprotected on mul takes 0.0", intervals.rivals_text(intervals.Results(fast)))
 
+    def test_what_a_faster_peer_takes_where_operands_do_not_repeat(self):
+        fast = changed("times", {"library": "CGAL unprotected"}, ns=0.02, low=0.019, high=0.021)
+        fast["many"] = [{**t, "ns": 3.0 if t["library"] == "CGAL unprotected" else 1.5} for t in fast["times"]
+                        if t["operation"] == "mul"]
+        results = intervals.Results(fast)
+        self.assertIn("(2.00 on 65,536 operands", intervals.rivals_text(results))
+        tables = [b for b in intervals.show(fast) if "65,536 operands" in str(b.get("caption", ""))]
+        self.assertTrue(any("3" in row for b in tables for row in b.get("rows", [])))
+
     def test_unsound_peers_are_no_rivals_at_equal_error(self):
         fast = changed("times", {"library": "Boost", "operation": "sin"}, ns=0.02, low=0.019, high=0.021)
         text = intervals.rivals_text(intervals.Results(fast))
@@ -72,10 +81,11 @@ class Intervals(unittest.TestCase):
         self.assertRegex(text, "Faster, sound, but wider: .*Arb on exp")
 
     def test_quartiles_of_google_benchmark(self):
-        runs = [{"run_type": "iteration", "run_name": "add/mixed/Boost/repeats:3", "cpu_time": 4096.0 * ns}
+        runs = [{"run_type": "iteration", "run_name": "add/mixed/Boost/repeats:3", "cpu_time": 100.0 * ns}
                 for ns in (1, 2, 9)]
         aggregate = {"run_type": "aggregate", "run_name": "add/mixed/Boost/repeats:3", "cpu_time": 1e9}
-        self.assertEqual(intervals.times_of({"benchmarks": [*runs, aggregate]}), [
+        self.assertEqual(intervals.times_of(
+            {"context": {"operands": "100"}, "benchmarks": [*runs, aggregate]}), [
             {"operation": "add", "operands": "mixed", "library": "Boost", "ns": 2, "low": 1.5, "high": 5.5}])
 
 
