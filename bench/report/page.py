@@ -103,8 +103,8 @@ def table_html(block, number):
     heads = "".join(cell("th", k, words) for k, words in enumerate(block["heads"]))
     body = "\n".join("<tr>" + "".join(cell("td", k, words) for k, words in enumerate(row)) + "</tr>" for row in rows)
     return (f'<figure id="table-{number}"><figcaption class="above"><b>Table {number}.</b> {escape(block["caption"])}'
-            f'</figcaption>\n<div class="wide"><table><thead><tr>{heads}</tr></thead>\n<tbody>\n{body}\n</tbody></table>'
-            "</div></figure>")
+            f'</figcaption>\n<div class="wide"><table><thead><tr>{heads}</tr></thead>\n<tbody>\n{body}\n</tbody>'
+            "</table></div></figure>")
 
 
 def block_html(block, numbering):

@@ -239,8 +239,8 @@ def summary(data):
 def introduction(data):
     commands = "; ".join(f"<code>{page.escape(c)}</code>" for c in data["commands"])
     return (f"<p>Each library does the same operation on the same {data['count']:,} intervals of each set; 4,096 (or "
-            f"65,536) are timed, one after the other, {data['repetitions']} repetitions of all contenders in random order. A "
-            "result is <i>unsound</i> if a part of the true range is outside of it. Its <i>excess</i> is how far its "
+            f"65,536) are timed, one after the other, {data['repetitions']} repetitions of all contenders in random "
+            "order. A result is <i>unsound</i> if a part of the true range is outside of it. Its <i>excess</i> is how far its "
             "two bounds are outside of the tightest enclosure, which MPFR finds, in ulps of the tightest bound (of "
             "the other bound where that is 0). Besides the timed operands, <i>points</i> (intervals of no width) "
             "and <i>hard</i> operands are judged: ties, subnormal and overflowing results, one-ulp neighbours, exact "
@@ -303,7 +303,7 @@ def time_table(results, operations, word):
 
 
 def many_table(results):
-    libraries = [x for x in results.with_all(ARITHMETIC) if results.time_of_many(x, "add")]
+    libraries = [x for x in results.with_all(ARITHMETIC) if any(results.time_of_many(x, o) for o in ARITHMETIC)]
     rows = [[whole(name(x)), *(time_cell(results.time_of_many(x, o)) for o in ARITHMETIC)] for x in libraries]
     return page.table(["library", *ARITHMETIC], rows,
                       "The same on 65,536 operands. The 4,096 of the table above repeat, and branch predictors learn "
