@@ -4,8 +4,8 @@ usage: bench/graze-report [options]
 
   --quick               two minutes: smaller sizes and fewer repetitions (the full run: 40 minutes)
   --only SECTION[,...]  only these: intervals, traversals, images, hard_intervals, hard_rays, growth
-  --out DIR             where index.html, report.json and each figure, SECTION-NUMBER.svg, are written
-                        (default: out/report)
+  --out DIR             where index.html, README.md, report.json and the figures, SECTION-NUMBER.svg, are
+                        written (default: out/report)
   --from FILE           draws the page again from a report.json, without measuring
   --core N              the core that measurements are pinned to (default: 0)
   --json                the last line is a JSON object: page, report, states of the sections, summary
@@ -40,7 +40,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 if __name__ == "__main__":  # the package's statistics must not hide the standard library's
     sys.path[0] = str(HERE.parent)
 
-from report import context as contexts, figures, page  # noqa: E402
+from report import context as contexts, figures, markdown, page  # noqa: E402
 
 # name: seconds of a full and of a quick run, for the time that is left
 SECTIONS = {"intervals": (540, 22), "traversals": (540, 22), "images": (720, 25), "hard_intervals": (60, 5),
@@ -234,7 +234,8 @@ def finish(given, report, modules, out):
     for name, _, _, blocks, _ in all_shown:
         drawn = [block["svg"] for block in blocks if block["kind"] == "figure" and block["svg"]]
         for number, svg in enumerate(drawn, 1):
-            write(out / f"{name}-{number}.svg", svg)
+            write(out / markdown.figure_file(name, number), svg)
+    write(out / "README.md", markdown.document(report, all_shown))
     states = {name: entry["state"] for name, _, entry, _, _ in all_shown}
     sentences = [words for *_, all_words in all_shown for words in all_words]
     if given.json:

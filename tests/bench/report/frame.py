@@ -92,6 +92,12 @@ def test_page(folder):
     check(not read.open, f"left open: {read.open}")
     check(not read.fetched, f"the page loads {read.fetched}")
     check(all(link.startswith("#") and link[1:] in read.ids for link in read.links), read.links)
+    told = (folder / "README.md").read_text()
+    pictures = re.findall(r"!\[Figure \d+\]\(([^)]*)\)", told)
+    check(len(pictures) == len(read.axes), pictures)
+    check(all((folder / name).read_text().startswith("<svg") for name in pictures), pictures)
+    for row in re.findall(r"^\|.*\|$", told, re.M):
+        check("\n" not in row and "<span" not in row, row)
     check(len(read.captions) >= 5 and len(read.captions) == len(read.axes), f"{len(read.captions)} {len(read.axes)}")
     for caption in read.captions:
         check(len(caption) > 60 and "nan" not in caption.lower(), caption)
