@@ -120,6 +120,7 @@ graze_build() {
 graze_build_some() {
   local preset=$1 target wanted=()
   shift
+  mkdir -p "build/$preset"
   graze_build "$preset" help >"build/$preset/targets.txt"
   for target; do
     if grep -q "^$target: phony\$" "build/$preset/targets.txt"; then
