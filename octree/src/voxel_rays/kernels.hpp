@@ -52,9 +52,10 @@ GRAZE_BATCH_INLINE void scaled(double c_down, double c_up, double m, double of_p
 template <class P> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& s) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const scaling by = scaling_of(s.direction[0], s.direction[1], s.direction[2]);
-  double direction[3], down[3], up[3];
-  for (unsigned a = 0; a < 3; ++a)
-    direction[a] = s.direction[a] * by.of_direction;
+  double direction[3] = {s.direction[0], s.direction[1], s.direction[2]}, down[3], up[3];
+  if (by.of_direction != 1) [[unlikely]]
+    for (double& d : direction)
+      d *= by.of_direction;
   products<P>(direction, down, up);
   double greatest = 0;     // magnitude of any scaled time that decides
   double least = infinity; // constant

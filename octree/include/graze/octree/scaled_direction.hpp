@@ -18,33 +18,43 @@ struct scaling {
   double of_parameter;
 };
 
-/// The power of two that takes the greatest of |x|, |y|, |z| into [1, 2), where each component
-/// times it is exact. Scaling up is always exact. It goes up by 2^1022 at the most: subnormal
-/// directions end in [2^-52, 1). It goes down as far as no component but 0 falls below the normal
-/// numbers, by 2^1022 at the most: where components lie further apart than the normal numbers
-/// reach, the greatest stays above 2.
-/// In integers, so that no rounding mode matters, no flag for subnormal numbers, and no component
-/// decides a jump. Always inline, for files that are compiled for one path's instructions.
+/// 1 for an ordinary direction, whose greatest component is in [2^-64, 2^64). For another, the
+/// power of two that takes the greatest component into [1, 2), as far as each component times it is
+/// exact. Scaling up always is; it goes up by 2^1022 at the most: subnormal directions end in
+/// [2^-52, 1). It goes down by 2^1022 at the most, and only as far as no component but 0 falls
+/// below the normal numbers: where components lie further apart than those reach, the greatest
+/// stays above 2. In integers, so that no rounding mode matters and no flag for subnormal numbers.
+/// Always inline, for files that are compiled for one path's instructions.
 [[gnu::always_inline]] inline scaling scaling_of(double x, double y, double z) {
-  const double d[3] = {x, y, z};
+  // twice the bits: no sign, and the order is that of magnitudes
+  const std::uint64_t bits[3] = {__builtin_bit_cast(std::uint64_t, x) << 1,
+                                 __builtin_bit_cast(std::uint64_t, y) << 1,
+                                 __builtin_bit_cast(std::uint64_t, z) << 1};
+  std::uint64_t most = bits[0] < bits[1] ? bits[1] : bits[0];
+  most = most < bits[2] ? bits[2] : most;
+  constexpr std::uint64_t ordinary_from = std::uint64_t{1023 - 64} << 53,
+                          ordinary_to = std::uint64_t{1023 + 64} << 53;
+  if (most - ordinary_from < ordinary_to - ordinary_from) [[likely]]
+    return {1, 1};
   // biased exponents, those of subnormal numbers counted as 1
-  std::int64_t greatest = 1, least = 1023;
-  for (unsigned a = 0; a < 3; ++a) {
-    const std::uint64_t twice = __builtin_bit_cast(std::uint64_t, d[a]) << 1; // no sign
-    const auto e = static_cast<std::int64_t>(twice >> 53);
-    greatest = greatest < e ? e : greatest;
-    const std::int64_t loses_below = twice == 0 ? 1023 : (e == 0 ? 1 : e);
-    least = loses_below < least ? loses_below : least;
+  const std::int64_t greatest = most >> 53 == 0 ? 1 : static_cast<std::int64_t>(most >> 53);
+  std::int64_t least = 1023; // of what may not become subnormal
+  for (const std::uint64_t b : bits) {
+    const auto e = static_cast<std::int64_t>(b >> 53);
+    least = b != 0 && e < least ? (e == 0 ? 1 : e) : least;
   }
   const std::int64_t down = greatest - 1023 < least - 1 ? greatest - 1023 : least - 1;
   return {__builtin_bit_cast(double, (1023 - down) << 52),
           __builtin_bit_cast(double, (1023 + down) << 52)};
 }
 
-/// The direction times its scale, exactly.
+/// The direction times its scaling, exactly.
 [[gnu::always_inline]] inline vec3 scaled_direction(const vec3& d) {
-  const double factor = scaling_of(d[0], d[1], d[2]).of_direction;
-  return {d[0] * factor, d[1] * factor, d[2] * factor};
+  const double by = scaling_of(d[0], d[1], d[2]).of_direction;
+  if (by == 1)
+      [[likely]] // the same jump as in scaling_of: no product for ordinary rays to wait for
+    return d;
+  return {d[0] * by, d[1] * by, d[2] * by};
 }
 
 } // namespace graze::octree
