@@ -18,8 +18,7 @@ public:
   /// The intervals of scaled t on the three axes.
   using state = std::array<typename bounds::interval, 3>;
 
-  /// Prepares a ray by its scaled direction; call it within a scope of B. So scaled t is that of
-  /// the scaled direction, and verdicts do not depend on a power of two in the direction.
+  /// Prepares a ray by its scaled direction, to which scaled t belongs; call it within a scope of B.
   explicit sound(const ray& r)
       : sound(bounds::prepare(r.origin(), scaled_direction(r.direction()))) {}
   /// A ray as it is prepared, which may be with any direction.
