@@ -49,13 +49,20 @@ GRAZE_BATCH_INLINE void scaled(double c_down, double c_up, double m, double of_p
   up = x[0];
 }
 
+/// Scales a direction that is not ordinary; returns the factor of the ray's parameter.
+[[gnu::noinline, gnu::cold]] double scale(double* direction) {
+  const scaling by = scaling_of(direction[0], direction[1], direction[2]);
+  for (unsigned a = 0; a < 3; ++a)
+    direction[a] *= by.of_direction;
+  return by.of_parameter;
+}
+
 template <class P> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& s) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const scaling by = scaling_of(s.direction[0], s.direction[1], s.direction[2]);
   double direction[3] = {s.direction[0], s.direction[1], s.direction[2]}, down[3], up[3];
-  if (by.of_direction != 1) [[unlikely]]
-    for (double& d : direction)
-      d *= by.of_direction;
+  double of_parameter = 1;
+  if (!is_ordinary(direction[0], direction[1], direction[2])) [[unlikely]]
+    of_parameter = scale(direction);
   products<P>(direction, down, up);
   double greatest = 0;     // magnitude of any scaled time that decides
   double least = infinity; // constant
@@ -96,13 +103,13 @@ template <class P> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& 
     const double m = direction[0] == 0 ? 1 : (direction[0] < 0 ? -direction[0] : direction[0]);
     double down_of, up_of;
     if (s.first > 0) {
-      scaled<P>(down[0], up[0], m, by.of_parameter, s.first, s.from, up_of);
+      scaled<P>(down[0], up[0], m, of_parameter, s.first, s.from, up_of);
       greatest = up_of > greatest ? up_of : greatest;
     }
     if (s.last == 0) {
       s.to = 0;
     } else if (s.last < infinity) {
-      scaled<P>(down[0], up[0], m, by.of_parameter, s.last, down_of, s.to);
+      scaled<P>(down[0], up[0], m, of_parameter, s.last, down_of, s.to);
       greatest = s.to > greatest ? s.to : greatest;
     }
     least = down[0] < least ? down[0] : least;

@@ -18,30 +18,36 @@ struct scaling {
   double of_parameter;
 };
 
-/// 1 for an ordinary direction, whose greatest component is in [2^-64, 2^64). For another, the
-/// power of two that takes the greatest component into [1, 2), as far as each component times it is
-/// exact. Scaling up always is; it goes up by 2^1022 at the most: subnormal directions end in
-/// [2^-52, 1). It goes down by 2^1022 at the most, and only as far as no component but 0 falls
-/// below the normal numbers: where components lie further apart than those reach, the greatest
-/// stays above 2. In integers, so that no rounding mode matters and no flag for subnormal numbers.
-/// Always inline, for files that are compiled for one path's instructions.
-[[gnu::always_inline]] inline scaling scaling_of(double x, double y, double z) {
+/// The greatest of |x|, |y|, |z| is in [2^-64, 2^64).
+[[gnu::always_inline]] inline bool is_ordinary(double x, double y, double z) {
   // twice the bits: no sign, and the order is that of magnitudes
-  const std::uint64_t bits[3] = {__builtin_bit_cast(std::uint64_t, x) << 1,
-                                 __builtin_bit_cast(std::uint64_t, y) << 1,
-                                 __builtin_bit_cast(std::uint64_t, z) << 1};
-  std::uint64_t most = bits[0] < bits[1] ? bits[1] : bits[0];
-  most = most < bits[2] ? bits[2] : most;
-  constexpr std::uint64_t ordinary_from = std::uint64_t{1023 - 64} << 53,
-                          ordinary_to = std::uint64_t{1023 + 64} << 53;
-  if (most - ordinary_from < ordinary_to - ordinary_from) [[likely]]
+  const std::uint64_t bits_x = __builtin_bit_cast(std::uint64_t, x) << 1,
+                      bits_y = __builtin_bit_cast(std::uint64_t, y) << 1,
+                      bits_z = __builtin_bit_cast(std::uint64_t, z) << 1;
+  const std::uint64_t xy = bits_x < bits_y ? bits_y : bits_x, most = xy < bits_z ? bits_z : xy;
+  constexpr std::uint64_t from = std::uint64_t{1023 - 64} << 53,
+                          to = std::uint64_t{1023 + 64} << 53;
+  return most - from < to - from;
+}
+
+/// 1 for an ordinary direction. For another, the power of two that takes the greatest component
+/// into [1, 2), as far as each component times it is exact. Scaling up always is; it goes up by
+/// 2^1022 at the most: subnormal directions end in [2^-52, 1). It goes down by 2^1022 at the most,
+/// and only as far as no component but 0 falls below the normal numbers: where components lie
+/// further apart than those reach, the greatest stays above 2.
+/// In integers, so that no rounding mode matters and no flag for subnormal numbers. Always inline,
+/// for files that are compiled for one path's instructions.
+[[gnu::always_inline]] inline scaling scaling_of(double x, double y, double z) {
+  if (is_ordinary(x, y, z)) [[likely]]
     return {1, 1};
   // biased exponents, those of subnormal numbers counted as 1
-  const std::int64_t greatest = most >> 53 == 0 ? 1 : static_cast<std::int64_t>(most >> 53);
-  std::int64_t least = 1023; // of what may not become subnormal
-  for (const std::uint64_t b : bits) {
-    const auto e = static_cast<std::int64_t>(b >> 53);
-    least = b != 0 && e < least ? (e == 0 ? 1 : e) : least;
+  std::int64_t greatest = 1, least = 1023; // least: of what may not become subnormal
+  const double components[3] = {x, y, z};
+  for (const double d : components) {
+    const std::uint64_t bits = __builtin_bit_cast(std::uint64_t, d) << 1;
+    const std::int64_t e = bits >> 53 == 0 ? 1 : static_cast<std::int64_t>(bits >> 53);
+    greatest = greatest < e ? e : greatest;
+    least = bits != 0 && e < least ? e : least;
   }
   const std::int64_t down = greatest - 1023 < least - 1 ? greatest - 1023 : least - 1;
   return {__builtin_bit_cast(double, (1023 - down) << 52),
@@ -51,8 +57,8 @@ struct scaling {
 /// The direction times its scaling, exactly.
 [[gnu::always_inline]] inline vec3 scaled_direction(const vec3& d) {
   const double by = scaling_of(d[0], d[1], d[2]).of_direction;
-  if (by == 1)
-      [[likely]] // the same jump as in scaling_of: no product for ordinary rays to wait for
+  // the jump of scaling_of: an ordinary ray waits for no product
+  if (by == 1) [[likely]]
     return d;
   return {d[0] * by, d[1] * by, d[2] * by};
 }
