@@ -12,6 +12,7 @@
     - [lowb_encloses], [uppb_encloses], [bounds_enclose]: each bound encloses the exact one;
     - [lowb_never_nan], [uppb_never_nan], [within_never_nan]: and is never NaN;
     - [half_encloses]: the same of the split of octree/include/graze/octree/sound.hpp;
+    - [never_miss_scaled]: also where the ray is prepared by another direction of the same points;
     - [never_miss], [never_miss_upward], [never_miss_owned] for every format; [never_miss_backend] for
       any backend that is correctly rounded; [never_miss_binary64], [never_miss_upward_binary64] for
       double. *)
@@ -366,6 +367,35 @@ Theorem never_miss_owned : forall (o d lo hi : three float),
     (within owned (at_z r) (at_z lo) (at_z hi)) = true.
 Proof. intros o d lo hi Fo Fd Fl Fh (t & Ht & B). now apply never_miss_within with t. Qed.
 
+(** s is the direction d times k, exactly. *)
+Definition times (k : R) (d s : three float) : Prop :=
+  B2R (at_x s) = (k * B2R (at_x d))%R /\ B2R (at_y s) = (k * B2R (at_y d))%R /\
+  B2R (at_z s) = (k * B2R (at_z d))%R.
+
+(** It is the direction of the same points, at the k-th part of the parameter. *)
+Lemma same_points : forall (c : convention) (o d s lo hi : three float) (k t : R),
+  (0 < k)%R -> times k d s -> ray_in c o d lo hi t -> ray_in c o s lo hi (t / k).
+Proof.
+  intros c o d s lo hi k t Hk (Ex & Ey & Ez) H. unfold ray_in. rewrite Ex, Ey, Ez.
+  assert (E : forall x, (t / k * (k * x) = t * x)%R) by (intros; field; lra).
+  now rewrite !E.
+Qed.
+
+(** So a ray may be prepared by its direction times any k > 0
+    (octree/include/graze/octree/scaled_direction.hpp), in both conventions. *)
+Theorem never_miss_scaled : forall (c : convention) (o d s lo hi : three float) (k : R),
+  finite3 o -> finite3 s -> finite3 lo -> finite3 hi -> (0 < k)%R -> times k d s ->
+  (exists t, (0 <= t)%R /\ ray_in c o d lo hi t) ->
+  let r := prepare o s in
+  passes _ _ (within c (at_x r) (at_x lo) (at_x hi)) (within c (at_y r) (at_y lo) (at_y hi))
+    (within c (at_z r) (at_z lo) (at_z hi)) = true.
+Proof.
+  intros c o d s lo hi k Fo Fs Fl Fh Hk T (t & Ht & B).
+  apply never_miss_within with (t / k)%R; trivial.
+  - apply Rmult_le_pos; trivial. now apply Rlt_le, Rinv_0_lt_compat.
+  - now apply same_points with d.
+Qed.
+
 (** The test never misses over upward rounding and negation either. *)
 Theorem never_miss_upward : forall (o d lo hi : three float),
   finite3 o -> finite3 d -> finite3 lo -> finite3 hi ->
@@ -447,6 +477,7 @@ Theorem never_miss_upward_binary64 : forall o d lo hi : three (float 53 1024),
 Proof. exact (never_miss_upward 53 1024). Qed.
 
 Definition never_miss_owned_binary64 := never_miss_owned 53 1024.
+Definition never_miss_scaled_binary64 := never_miss_scaled 53 1024.
 Definition bounds_enclose_binary64 := bounds_enclose 53 1024.
 Definition lowb_encloses_binary64 := lowb_encloses 53 1024.
 Definition uppb_encloses_binary64 := uppb_encloses 53 1024.

@@ -8,10 +8,15 @@
 
 namespace graze::tie {
 
+/// The method with the ray as the line gives it, as the model has it: not by its scaled direction.
+template <octree::Method M> M prepared(const octree::ray& r) {
+  return M(M::bounds::prepare(r.origin(), r.direction()));
+}
+
 /// The children that a method passes, in its order, and the descent; "-" for none.
 template <octree::Method M>
 std::string order_of_split(const octree::ray& r, const octree::cube& cell) {
-  const M method(r);
+  const M method = prepared<M>(r);
   typename M::state at{};
   (void)method.enter(cell, at);
   octree::branches<typename M::state> out;
@@ -25,7 +30,7 @@ std::string order_of_split(const octree::ray& r, const octree::cube& cell) {
 template <octree::Method M>
 std::string order_of_visits(const octree::ray& r, const octree::cube& root) {
   unsigned count = 0;
-  const std::uint64_t h = visits(M(r), root, count);
+  const std::uint64_t h = visits(prepared<M>(r), root, count);
   return visits_text(count, h);
 }
 
@@ -104,7 +109,7 @@ template <rounding::Backend B> [[gnu::noinline]] answers answer(const line& l, b
   using in_closed = sound<B, closed>;
   using in_owned = sound<B, owned>;
   typename in_closed::state root{};
-  a.verdict("entered", in_closed(*ray).enter(cell, root) ? "1" : "0");
+  a.verdict("entered", prepared<in_closed>(*ray).enter(cell, root) ? "1" : "0");
   a.verdict("split<closed>", order_of_split<in_closed>(*ray, cell));
   a.verdict("split<owned>", order_of_split<in_owned>(*ray, cell));
   if (l.kind == 't') {

@@ -14,7 +14,7 @@ void ask_in(const octree::ray& r, const lane_question& q, lane_answer& a) {
   using lanes = typename method::lanes;
   constexpr unsigned c = C == octree::convention::owned ? 1 : 0;
   const typename method::scope scope;
-  const method m(r);
+  const method m(method::bounds::prepare(r.origin(), r.direction())); // as the model: not scaled
   {
     // corner + (-0) is the corner, -0 too: any three planes can be the middle ones
     alignas(64)

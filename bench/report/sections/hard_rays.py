@@ -169,8 +169,8 @@ def spurious_words(data):
               any(c in cases and not bad(cases[c]) and cases[c]["declined"] == 0 and
                   cases[c]["spurious"] * 10 < sound[c]["spurious"] for c in worst)]
     return (f" graze's sound mode reports most of the block in {len(worst)} cases (“{'”, “'.join(worst)}”): its bounds "
-            "are products of two components, which underflow, or of distances that are rounded at the origin's "
-            "magnitude; exact mode decides them." +
+            "are of distances that are rounded at the origin's magnitude, or of components so far apart that their "
+            "products underflow; exact mode decides them." +
             (f" In some of these far fewer octants are reported, and none is missed, by {'; '.join(better)}."
              if better else ""))
 

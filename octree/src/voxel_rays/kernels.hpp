@@ -7,6 +7,7 @@
 /// Everything here has internal linkage: each path's file is compiled with flags of its own.
 #include <cmath>
 #include <graze/batch/path.hpp>
+#include <graze/octree/scaled_direction.hpp>
 #include <graze/octree/voxel.hpp>
 #include <graze/octree/voxel_rays_state.hpp>
 #include <limits>
@@ -35,27 +36,40 @@ template <class P> GRAZE_BATCH_INLINE void products(const double* d, double* dow
   }
 }
 
-/// RD(RD(c0 m) t) and RU(RU(c0 m) t): t scaled.
+/// RD(RD(c0 m) RD(t of_parameter)), and the same with RU: t scaled.
 template <class P>
-GRAZE_BATCH_INLINE void scaled(double c_down, double c_up, double m, double t, double& down,
-                               double& up) {
+GRAZE_BATCH_INLINE void scaled(double c_down, double c_up, double m, double of_parameter, double t,
+                               double& down, double& up) {
   alignas(64) double x[8];
-  P::store(x, P::mul_down(P::mul_down(P::broadcast(c_down), P::broadcast(m)), P::broadcast(t)));
+  P::store(x, P::mul_down(P::mul_down(P::broadcast(c_down), P::broadcast(m)),
+                          P::mul_down(P::broadcast(t), P::broadcast(of_parameter))));
   down = x[0];
-  P::store(x, P::mul_up(P::mul_up(P::broadcast(c_up), P::broadcast(m)), P::broadcast(t)));
+  P::store(x, P::mul_up(P::mul_up(P::broadcast(c_up), P::broadcast(m)),
+                        P::mul_up(P::broadcast(t), P::broadcast(of_parameter))));
   up = x[0];
+}
+
+/// Scales a direction that is not ordinary; returns the factor of the ray's parameter.
+[[gnu::noinline, gnu::cold]] double scale(double* direction) {
+  const scaling by = scaling_of(direction[0], direction[1], direction[2]);
+  for (unsigned a = 0; a < 3; ++a)
+    direction[a] *= by.of_direction;
+  return by.of_parameter;
 }
 
 template <class P> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& s) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  double down[3], up[3];
-  products<P>(s.direction, down, up);
+  double direction[3] = {s.direction[0], s.direction[1], s.direction[2]}, down[3], up[3];
+  double of_parameter = 1;
+  if (!is_ordinary(direction[0], direction[1], direction[2])) [[unlikely]]
+    of_parameter = scale(direction);
+  products<P>(direction, down, up);
   double greatest = 0;     // magnitude of any scaled time that decides
   double least = infinity; // constant
   s.flip = 0;
   for (unsigned a = 0; a < 3; ++a) {
     voxel_rays_axis& x = s.axes[a];
-    const double o = s.origin[a], d = s.direction[a], lo = s.root_lo[a], hi = lo + s.root_size;
+    const double o = s.origin[a], d = direction[a], lo = s.root_lo[a], hi = lo + s.root_size;
     x.sign = 1;
     x.enter_origin = x.leave_origin = o;
     if (d == 0) {
@@ -86,17 +100,16 @@ template <class P> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& 
   s.from = 0;
   s.to = infinity;
   if (s.first > 0 || s.last < infinity) {
-    const double m =
-        s.direction[0] == 0 ? 1 : (s.direction[0] < 0 ? -s.direction[0] : s.direction[0]);
+    const double m = direction[0] == 0 ? 1 : (direction[0] < 0 ? -direction[0] : direction[0]);
     double down_of, up_of;
     if (s.first > 0) {
-      scaled<P>(down[0], up[0], m, s.first, s.from, up_of);
+      scaled<P>(down[0], up[0], m, of_parameter, s.first, s.from, up_of);
       greatest = up_of > greatest ? up_of : greatest;
     }
     if (s.last == 0) {
       s.to = 0;
     } else if (s.last < infinity) {
-      scaled<P>(down[0], up[0], m, s.last, down_of, s.to);
+      scaled<P>(down[0], up[0], m, of_parameter, s.last, down_of, s.to);
       greatest = s.to > greatest ? s.to : greatest;
     }
     least = down[0] < least ? down[0] : least;

@@ -1,5 +1,6 @@
 // Segments of rays: exactly the points with first <= t <= last. Judged by intervals of rationals.
 #include "adversarial.hpp"
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <gmpxx.h>
 #include <graze/octree/tree_rays.hpp>
@@ -139,6 +140,72 @@ TEST_CASE("octree.voxel_rays: a segment is its points with first <= t <= last, e
   CHECK(found_all > 5'000);
   CHECK(cut_off > 1'000);
   CHECK(touching > 100);
+}
+
+TEST_CASE(
+    "octree.voxel_rays: a segment's ends are in the units of the direction as given, of any size",
+    "[property]") {
+  // a direction 2^k times as long, and ends 2^-k times as far: the same points
+  std::uint64_t found_all = 0, cut_off = 0;
+  for (std::uint64_t i = 0; i < 3'000; ++i) {
+    const sparse_trial t = make_sparse(fuzz::generators()[i % 8], 12, i); // ordinary directions
+    const auto extreme = [](double d) { return d != 0 && std::fabs(std::ilogb(d)) > 60; };
+    if (t.trial.root.size != 1 || std::ranges::any_of(t.trial.direction, extreme))
+      continue;
+    fuzz::random_stream random(67, i);
+    const double middle = std::ldexp(hard_time(random, t.trial), -1);
+    double first = random.coin() ? 0 : middle, last = hard_time(random, t.trial);
+    if (last < first)
+      std::swap(first, last);
+    const auto scaled_by = [&](int k) {
+      sparse_trial s = t;
+      for (unsigned a = 0; a < 3; ++a)
+        s.trial.direction[a] = std::ldexp(t.trial.direction[a], k);
+      s.the_ray = *ray::make(s.trial.origin, s.trial.direction);
+      return s;
+    };
+    const auto same_numbers = [&](const sparse_trial& s, int k) {
+      for (unsigned a = 0; a < 3; ++a)
+        if (std::ldexp(s.trial.direction[a], -k) != t.trial.direction[a])
+          return false;
+      return std::ldexp(std::ldexp(first, -k), k) == first &&
+             std::ldexp(std::ldexp(last, -k), k) == last && std::isfinite(std::ldexp(last, -k));
+    };
+    for (const int k : {-960, -500, 500, 960}) {
+      const sparse_trial s = scaled_by(k);
+      if (!same_numbers(s, k))
+        continue;
+      const ray_segment of_t = *ray_segment::make(first, last),
+                        of_s = *ray_segment::make(std::ldexp(first, -k), std::ldexp(last, -k));
+      for (const convention c : {convention::closed, convention::owned})
+        for (const exactness e : {exactness::exact, exactness::conservative}) {
+          std::vector<std::vector<voxel>> all;
+          on_each_path([&](batch::path) {
+            all.push_back(all_of(t, c, e, of_t));
+            all.push_back(all_of(s, c, e, of_s));
+          });
+          INFO(i << " " << k);
+          for (const auto& found : all)
+            REQUIRE(found == all[0]);
+          found_all += all[0].size();
+          cut_off += all_of(t, c, e).size() - all[0].size();
+        }
+      const fuzz::block_tree tree(t.trial);
+      const auto by_tree = [&](const ray& r, const ray_segment& segment) {
+        std::vector<fuzz::voxel> cells;
+        visit_cells<convention::owned, exactness::conservative>(
+            tree, t.root, t.trial.level, r, segment,
+            [&](const cube&, const fuzz::block_tree::node& n) {
+              cells.push_back(tree.voxel_of(n));
+              return false;
+            });
+        return cells;
+      };
+      REQUIRE(by_tree(t.the_ray, of_t) == by_tree(s.the_ray, of_s));
+    }
+  }
+  CHECK(found_all > 10'000);
+  CHECK(cut_off > 10'000);
 }
 
 TEST_CASE("octree.ray_segment: refuses what is no segment", "[unit]") {

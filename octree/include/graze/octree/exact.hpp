@@ -29,9 +29,8 @@ public:
     unsigned closed_far;            ///< bit a: the cell ends at the root's far face of axis a
   };
 
-  /// Prepares a ray; call it within a scope of B. The bounds are those of a rescaled direction,
-  /// since where products underflow or overflow they leave all to the predicate.
-  explicit exact(const ray& r) : outer(rescaled(r)), truth_(r) {}
+  /// Prepares a ray; call it within a scope of B.
+  explicit exact(const ray& r) : outer(r), truth_(r) {}
 
   [[nodiscard]] bool enter(const cube& root, state& at) const {
     at.closed_far = 7; // the root's far faces are closed in both conventions

@@ -31,17 +31,6 @@ inline bool scales_exactly(double component, double scale) {
   return (scale >= 1) | (std::fabs(component) >= 0x1p-422) | (component == 0);
 }
 
-/// The same set of points by a direction of ordinary size; the ray itself where its components are
-/// too far apart for that.
-[[nodiscard]] inline ray rescaled(const ray& r) {
-  const vec3& d = r.direction();
-  const double scale = direction_scale(d);
-  if (scale == 1 || !scales_exactly(d[0], scale) || !scales_exactly(d[1], scale) ||
-      !scales_exactly(d[2], scale))
-    return r;
-  return *ray::make(r.origin(), {d[0] * scale, d[1] * scale, d[2] * scale});
-}
-
 /// A ray prepared for exact decisions. May be made and asked in any rounding mode, and gives the
 /// same answers in each; where subnormal operands count as zero (DAZ) they are not to be trusted
 /// (rounding::refusal). A cube's lo + size must be exact doubles, as they are for every octant of a

@@ -2,6 +2,7 @@
 /// The sound method: no touched octant whose ancestors are kept is ever left out.
 #include <graze/octree/descent.hpp>
 #include <graze/octree/ray_bounds.hpp>
+#include <graze/octree/scaled_direction.hpp>
 
 namespace graze::octree {
 
@@ -17,8 +18,11 @@ public:
   /// The intervals of scaled t on the three axes.
   using state = std::array<typename bounds::interval, 3>;
 
-  /// Prepares a ray; call it within a scope of B.
-  explicit sound(const ray& r) : axes_(bounds::prepare(r.origin(), r.direction())) {}
+  /// Prepares a ray by its scaled direction, to which scaled t belongs; call it within a scope of B.
+  explicit sound(const ray& r)
+      : sound(bounds::prepare(r.origin(), scaled_direction(r.direction()))) {}
+  /// A ray as it is prepared, which may be with any direction.
+  explicit sound(const std::array<typename bounds::axis, 3>& prepared) : axes_(prepared) {}
 
   [[nodiscard]] bool enter(const cube& root, state& at) const {
     for (int a = 0; a < 3; ++a) // the root's far faces are closed in both conventions

@@ -4,6 +4,7 @@
 #include <graze/octree/descent.hpp>
 #include <graze/octree/octet.hpp>
 #include <graze/octree/ray_bounds.hpp>
+#include <graze/octree/scaled_direction.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/upward.hpp>
 #include <type_traits>
@@ -43,13 +44,16 @@ public:
     unsigned nearest; ///< the child that comes first, XOR mirror()
   };
 
-  /// Prepares a ray; call it within a scope.
-  explicit GRAZE_BATCH_INLINE sound_eight(const ray& r) {
+  /// Prepares a ray by its scaled direction, as sound does; call it within a scope.
+  explicit GRAZE_BATCH_INLINE sound_eight(const ray& r)
+      : sound_eight(bounds::prepare(r.origin(), scaled_direction(r.direction()))) {}
+  /// A ray as it is prepared, which may be with any direction.
+  explicit GRAZE_BATCH_INLINE sound_eight(const std::array<typename bounds::axis, 3>& prepared)
+      : axes_(prepared) {
     constexpr double tiny = std::numeric_limits<double>::denorm_min();
     alignas(64) double origin[8]{}, down[8]{}, up[8]{}, signs[8]{}, at_least[8]{};
     for (unsigned a = 0; a < 3; ++a) {
-      const double o = r.origin()[a], d = r.direction()[a];
-      axes_[a] = bounds::prepare(o, d, r.direction()[(a + 1) % 3], r.direction()[(a + 2) % 3]);
+      const double o = axes_[a].origin;
       const bool backward = axes_[a].direction == heading::backward;
       mirror_ |= (backward ? 1u : 0u) << a;
       across_ |= (axes_[a].direction == heading::across ? 0x11u : 0u) << a;

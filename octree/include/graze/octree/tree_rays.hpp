@@ -111,14 +111,17 @@ private:
 
   void scale_segment() {
     using B = rounding::nearest;
-    const vec3& d = ray_.direction();
+    const vec3& given = ray_.direction();
+    const double per_unit = scaling_of(given[0], given[1], given[2]).of_parameter;
+    const vec3 d = scaled_direction(given);
     const auto x = bounds::mag(d[0]), y = bounds::mag(d[1]), z = bounds::mag(d[2]);
     if (segment_.first() > 0)
-      from_ = B::mul_down(B::mul_down(B::mul_down(x, y), z), segment_.first());
+      from_ =
+          B::mul_down(B::mul_down(B::mul_down(x, y), z), B::mul_down(per_unit, segment_.first()));
     if (segment_.last() == 0)
       to_ = 0;
     else if (segment_.last() < bounds::infinity)
-      to_ = B::mul_up(B::mul_up(B::mul_up(x, y), z), segment_.last());
+      to_ = B::mul_up(B::mul_up(B::mul_up(x, y), z), B::mul_up(per_unit, segment_.last()));
   }
   [[nodiscard]] bool within_segment(const state& at) const {
     const auto all = bounds::common(bounds::common(at[0], at[1]), at[2]);
