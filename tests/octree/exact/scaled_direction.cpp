@@ -133,7 +133,7 @@ template <class B> void judge_sizes() {
 
 } // namespace
 
-TEST_CASE("octree.scaled_direction: exact, and into [1, 2) where that is exact", "[property]") {
+TEST_CASE("octree.scaled_direction: exact, and from 1 to 2 where that is exact", "[property]") {
   fuzz::random_stream random(71, 1);
   int ordinary = 0, scaled = 0, limited = 0, subnormal = 0;
   for (int i = 0; i < 1'000'000; ++i) {
