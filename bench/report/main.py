@@ -2,7 +2,7 @@
 
 usage: bench/graze-report [options]
 
-  --quick               two minutes: smaller sizes and fewer repetitions (the full run: 40 minutes)
+  --quick               two minutes: smaller sizes and fewer repetitions (the full run: half an hour)
   --only SECTION[,...]  only these: intervals, traversals, images, hard_intervals, hard_rays, growth
   --out DIR             where index.html, README.md, report.json and the figures, SECTION-NUMBER.svg, are
                         written (default: out/report)
@@ -43,8 +43,8 @@ if __name__ == "__main__":  # the package's statistics must not hide the standar
 from report import context as contexts, figures, markdown, page  # noqa: E402
 
 # name: seconds of a full and of a quick run, for the time that is left
-SECTIONS = {"intervals": (540, 22), "traversals": (540, 22), "images": (720, 25), "hard_intervals": (60, 5),
-            "hard_rays": (60, 5), "growth": (480, 25)}
+SECTIONS = {"intervals": (500, 10), "traversals": (300, 20), "images": (820, 18), "hard_intervals": (1, 1),
+            "hard_rays": (15, 3), "growth": (280, 35)}
 
 
 class BadInput(Exception):
