@@ -221,7 +221,7 @@ def overlap(a, b):
 
 def outside(box, frame):
     """By how many pixels a rectangle leaves the axes."""
-    return sum(max(0, v) for v in (frame.x0 - box[0], box[2] - frame.x1 - 20, frame.y0 - box[1],
+    return sum(max(0, v) for v in (frame.x0 - box[0], box[2] - frame.x1, frame.y0 - box[1],
                                    box[3] - frame.y1 - 20))
 
 
