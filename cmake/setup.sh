@@ -6,13 +6,13 @@ graze_packages=(
   libtbb-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev
   clang-19 libclang-rt-19-dev
   coq libcoq-flocq ocaml-nox ocaml-findlib libzarith-ocaml-dev gappa
-  python3 python3-venv python3-distributed
+  python3 python3-venv python3-distributed python3-matplotlib
 )
 
 # What bench/graze-report measures besides, and draws with. Each is optional: what cannot be installed is
 # named on the report's page.
 graze_report_packages=(
-  python3-matplotlib povray
+  povray
   libcgal-dev libmpfi-dev libflint-dev libflint-arb-dev
   liboctomap-dev libopenvdb-dev libnanovdb-dev libpcl-dev libeigen3-dev libembree-dev
 )

@@ -155,8 +155,9 @@ def source():
 
 def packages():
     """Versions of the report's packages as dpkg tells them, None for what is not installed."""
-    names = subprocess.run(["bash", "-c", "source cmake/setup.sh && echo ${graze_report_packages[@]} libboost-dev "
-                            "libmpfr-dev libbenchmark-dev"], cwd=ROOT, stdout=subprocess.PIPE, text=True).stdout.split()
+    told = "source cmake/setup.sh && echo ${graze_report_packages[@]} python3-matplotlib libboost-dev libmpfr-dev " \
+           "libbenchmark-dev"
+    names = subprocess.run(["bash", "-c", told], cwd=ROOT, stdout=subprocess.PIPE, text=True).stdout.split()
     if not shutil.which("dpkg-query"):
         return {}
     told = subprocess.run(["dpkg-query", "-W", "-f=${Package} ${db:Status-Status} ${Version}\n", *names],
