@@ -115,11 +115,11 @@ def draw_overview(ax, title, points, band):
     tight = sorted((p for p in points if p["y"] == 0), key=lambda p: -p["x"])
     for k, p in enumerate(tight):
         p["place"] = band.place(0, (k + 0.5) / len(tight))
-    before, lift = (0, 0), 0  # names of points that lie together stand one above the other
+    before, lift = (0, 0), 0  # names of points that lie together stand above them, one above the other
     for p in sorted(points, key=lambda p: (p["y"] == 0, p["x"])):
         y = p.get("place", band.place(p["y"]))
         together = p["y"] > 0 and p["x"] < 3 * before[0] and abs(y - before[1]) < 1
-        before, lift = (p["x"], y), lift + 11 if together else 0
+        before, lift = (p["x"], y), lift + 11 if together else 11 if p["y"] > 0 else 0
         draw_point(ax, p["x"], y, p["library"], p["marked"], size=6)
         ax.annotate(name(p["library"]), (p["x"], y), xytext=(8, lift), textcoords="offset points", fontsize=8.5,
                     va="center", color=figures.look(name(p["library"]))[0])
@@ -141,7 +141,7 @@ def overview(panels, width=900):
                             gridspec_kw={"height_ratios": heights})
     for ax, (title, points), n in zip(axes.flat, panels, tight):
         worst = max(p["y"] for p in points)
-        top = max(2, math.log10(worst) + 1.5) if worst else 1
+        top = max(2, math.log10(worst) + 4) if worst else 1
         band = Band((top - BOTTOM) * 22 * n / ROOM)
         draw_overview(ax, title, points, band)
         band.draw(ax, top, step=6 if top > 12 else 3)
