@@ -25,12 +25,7 @@ struct plain {
 
 void measure_double() {
   using L = plain;
-  GRAZE_MEASURE("add/mixed", operands::mixed, x + y);
-  GRAZE_MEASURE("sub/mixed", operands::mixed, x - y);
-  GRAZE_MEASURE("mul/mixed", operands::mixed, x * y);
-  GRAZE_MEASURE("div/mixed", operands::mixed, x / y);
-  GRAZE_MEASURE("sqrt/positive", operands::positive, sqrt(x));
-  GRAZE_MEASURE("sqr/mixed", operands::mixed, square(x));
+  measure_operators<L>();
   measure<L>("polynomial/mixed", operands::mixed, [](double& r, double x, double y, double z) {
     const double p = x * x, q = y * y, s = z * z;
     r = p * p - 5 * p + q * q - 5 * q + s * s - 5 * s + 11.8;

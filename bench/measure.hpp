@@ -13,8 +13,8 @@
 
 namespace graze::bench {
 
-/// Operands of an array: what a core's fastest cache holds, and few enough for a branch predictor to
-/// learn (--operands).
+/// Operands of an array: what a core's fastest cache holds, and few enough for a branch predictor
+/// to learn (--operands).
 inline std::size_t size = 4096;
 
 /// An interval, and a number for plain double: a random point of the function's domain.
@@ -142,13 +142,16 @@ void measure(const std::string& name, operands kind, Operation operation) {
   } while (false)
 
 /// Every name that a library has is declared by the including file before this is instantiated.
-template <class L> void measure_arithmetic() {
+template <class L> void measure_operators() {
   GRAZE_MEASURE("add/mixed", operands::mixed, x + y);
   GRAZE_MEASURE("sub/mixed", operands::mixed, x - y);
   GRAZE_MEASURE("mul/mixed", operands::mixed, x * y);
   GRAZE_MEASURE("div/mixed", operands::mixed, x / y);
   GRAZE_MEASURE("sqrt/positive", operands::positive, sqrt(x));
   GRAZE_MEASURE("sqr/mixed", operands::mixed, square(x));
+}
+template <class L> void measure_arithmetic() {
+  measure_operators<L>();
   // x^4-5x^2+...+11.8 in a form in which no variable occurs twice
   const auto polynomial = [k = L::constant(2.5, 2.5),
                            c = L::constant(0x1.bcccccccccccdp+2, 0x1.bccccccccccccp+2)](
