@@ -54,7 +54,7 @@ inline spread spread_of(const std::vector<double>& x) {
   return {quantile(x, 0.25), median(x), quantile(x, 0.75)};
 }
 
-/// DESIGN's camera, without its framing: size x size rays.
+/// The six scenes' camera (docs/definitions.md), without its framing: size x size rays.
 inline std::vector<octree::ray> camera_rays(double scale, int size) {
   std::vector<octree::ray> rays;
   for (int j = 0; j < size; ++j)

@@ -1,10 +1,8 @@
 /// Replays lines that the extracted model has answered: every backend must give every bound bit for
-/// bit and every verdict. Built with many compilers and flags, and with mutants in place of
-/// headers.
+/// bit and every verdict. Built with many compilers and flags, and with mutants in place of headers.
 ///
 ///   replay FILE           exit 0: all agree; 1: not (the first lines are printed); 2: bad input
-///   replay --flush FILE   the same with FTZ and DAZ set outside of the backends' scopes, which
-///   must
+///   replay --flush FILE   the same with FTZ and DAZ set outside of the backends' scopes, which must
 ///                         turn them off; and graze::rounding::refusal must refuse
 ///   replay --show B       answers the lines of the standard input in full, with backend B
 #include "answer.hpp"

@@ -1,4 +1,4 @@
-// The scenes of DESIGN's table.
+// The six scenes of docs/definitions.md.
 #include "casters.hpp"
 
 #include <graze/octree/surfaces.hpp>

@@ -1,4 +1,4 @@
-// What compilers are known to do with operands that they see (NUMERICS, "Compilers and modes"):
+// What compilers are known to do with operands that they see:
 // fold, merge two divisions under two modes into one, rewrite -(y - x), contract a product into a
 // sum.
 #include <cstdio>

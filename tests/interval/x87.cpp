@@ -1,4 +1,4 @@
-// The x87 facts of NUMERICS.
+// What the x87 does to a result, and what its precision does to long double.
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cstdint>

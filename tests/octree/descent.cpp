@@ -117,7 +117,7 @@ TEMPLATE_TEST_CASE("octree.descent: the baselines miss octants that the ray cros
 }
 
 TEST_CASE("octree.descent: owned is front to back for a ray in a mid-plane", "[regression]") {
-  // DESIGN, contract 5: closed octants have no order here; child 2 would come before child 4.
+  // docs/definitions.md, contract 5: closed octants have no order here; child 2 would come before child 4.
   const auto r = *ray::make({0.25, 0, 0.5}, {0, 1, 0});
   const auto cells = visited<sound<rounding::upward, convention::owned>>(r, unit, 1);
   REQUIRE(cells.size() == 2);

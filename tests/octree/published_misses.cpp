@@ -45,7 +45,7 @@ const scenario scenarios[] = {
 
 } // namespace
 
-TEST_CASE("octree.published: misses each of the octants of NUMERICS, the sound form none",
+TEST_CASE("octree.published: misses each of the octants known, the sound form none",
           "[regression]") {
   for (const scenario& s : scenarios) {
     INFO(s.why);

@@ -1,5 +1,5 @@
 #pragma once
-/// The four scenes: formula, camera scale and domain, as in DESIGN's table.
+/// The four polynomial scenes of docs/definitions.md: formula, camera scale and domain.
 #include <graze/octree/box.hpp>
 #include <graze/octree/ray.hpp>
 #include <graze/octree/surfaces.hpp>

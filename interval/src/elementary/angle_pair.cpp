@@ -14,8 +14,8 @@ constexpr both_lanes least_size(0x1p-100), greatest_size(0x1p+100), steps(128), 
     minus_seventh(-0x1.2492492492492p-3), error(0x1.4p-74), least(0x1p-19);
 
 // With d >= n > 0 the sizes of x and y, j the integer nearest to t = RN(n/d) times 128, c = j/128:
-//   atan(n/d) = atan c + atan w, w = u/v, u = n - c d, v = d + c n, |w| <= |n/d - c| <= 2^-8 +
-//   2^-54,
+//   atan(n/d) = atan c + atan w, w = u/v, u = n - c d, v = d + c n,
+//   |w| <= |n/d - c| <= 2^-8 + 2^-54,
 // and the angle is 0, pi/2 or pi, plus or minus that. All to nearest; the errors of v and w are
 // relative, the others absolute.
 //   u is exact. For j = 0 it is n. Else t > 1/256 and so is n/d; n and c d are multiples of 2^-8
@@ -23,11 +23,9 @@ constexpr both_lanes least_size(0x1p-100), greatest_size(0x1p+100), steps(128), 
 //     -d/256 < u <= 0, which has.
 //   v = v0 + v1: d <= v0 <= 2d, so that d - v0 is exact; v1 <= 2^-53 v0 has an error of 2^-106.
 //   w = w0 + w1: w0 = u RN(1/v0) within 2^-52, so that |w1| < 2^-51 |w|; the three roundings, and
-//   v0
-//     for v: 2^-102.
+//     v0 for v: 2^-102.
 //   high = the multiple of pi/2 +- atan c, both multiples of 2^-48 below 4: exact. low, below
-//   2^-48,
-//     2^-101 with the errors of the constants.
+//     2^-48: 2^-101 with the errors of the constants.
 //   sum + rest = high + w0 exactly: high = 0 or |high| > 2^-7.01 > |w0|.
 //   cubic = w0^3 (-1/3 + w0^2/5 - w0^4/7), |cubic| < 2^-25.5: 5 roundings, 2^-76.1; truncated
 //     w^9/9 < 2^-75.1; taken at w0 instead of w, w^2 |w1| < 1.5 2^-76.

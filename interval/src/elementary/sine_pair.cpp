@@ -17,25 +17,25 @@ constexpr both_lanes least_size(0x1p-12), greatest_size(1024), inverse(0x1.45f30
 // With L = pi/256, x = k L + r, |r| < (1/2 + 2^-34) L < 2^-7.34, S = sin(k L), C = cos(k L):
 //   sin x = S + C r + S (cos r - 1) + C (sin r - r); cos x the same, with k + 128 in S and C.
 // Everything is to nearest; the errors are absolute. |k| < 2^17.
-//   L = L1 + L2 + L3 of 36, 33 and 53 bits, multiples of 2^-42 and 2^-78; |L2| < 2^-45, |L3| <
-//   2^-80.
-//     t = x - k L1 is exact: for k = 0 trivially; else |x| > 2^-7.4, both terms are multiples of
+//   L = L1 + L2 + L3 of 36, 33 and 53 bits, multiples of 2^-42 and 2^-78;
+//     |L2| < 2^-45, |L3| < 2^-80.
+//   t = x - k L1 is exact: for k = 0 trivially; else |x| > 2^-7.4, both terms are multiples of
 //     2^-60, and |t| < 2^-7. w = k L2, below 2^-28, is exact.
 //   r0 + d = t - w exactly: if |t| < |w|, t - w is a multiple of 2^-78 (or, for k = 0, t) below
-//   2^-27.
-//     r1 = d - k L3: |r1| < 2^-61 + 2^-63, with an error below 2^-113. |r - r0 - r1| < 2^-112.
-//   A + B = S0 + C0 r0 exactly but for the product's rest, which P is: S0 = 0 or |S0| > 0.0122 >
-//   |C0
-//     r0|. S = S0 + S1, C = C0 + C1, |S1|, |C1| <= 2^-54, to 2^-107 each.
+//     2^-27.
+//   r1 = d - k L3: |r1| < 2^-61 + 2^-63, with an error below 2^-113. |r - r0 - r1| < 2^-112.
+//   A + B = S0 + C0 r0 exactly but for the product's rest, which P is:
+//     S0 = 0 or |S0| > 0.0122 > |C0 r0|.
+//   S = S0 + S1, C = C0 + C1, |S1|, |C1| <= 2^-54, to 2^-107 each.
 //   small = P + (C0 r1 + (C1 r0 + S1)): below 2^-52, 2^-104.
 //   cos r - 1 and sin r - r are taken at r0: S (cos r0 - cos r) < |r r1| < 2^-67.9; the other
-//   2^-75. q = r0^2 (-1/2 + r0^2/24 - r0^4/720), |q| < 2^-15.68: r0^2 2^-53 relatively, 2^-68.68;
-//   the bracket
-//     below 1/2 2^-55 (and 2^-65): 2^-69.6; the product 2^-69; truncated r^8/40320 < 2^-74.
+//     2^-75.
+//   q = r0^2 (-1/2 + r0^2/24 - r0^4/720), |q| < 2^-15.68: r0^2 2^-53 relatively, 2^-68.68; the
+//     bracket below 1/2 2^-55 (and 2^-65): 2^-69.6; the product 2^-69; truncated
+//     r^8/40320 < 2^-74.
 //   c = r0^3 (-1/6 + r0^2/120 - r0^4/5040), |c| < 2^-24.6: 2^-75 in all; truncated 2^-84.
 //   v = S0 q + C0 c, |v| < 2^-15.6: 2^-69 (and S1 q, C1 c: 2^-69.6). B + small, |.| < 2^-51:
-//   2^-104. Their
-//     sum with v 2^-69.
+//     2^-104. Their sum with v 2^-69.
 // In all 2^-67.9 + 2^-68.68 + 2^-69.6 + 2^-69 + 2^-69 + 2^-69.6 + 2^-69 + 5 2^-75 < 2^-66 =
 // `error`.
 struct reduced {

@@ -4,9 +4,9 @@
 ///
 ///   vector, mask, width      a register of `width` doubles, and a truth value for each of them
 ///   scope                    sets the modes that the operations need; restores MXCSR as found
-///   fma_scope                what fma_down and fma_up need inside scope: a mode of their own, or
-///   none add_down ... sqrt_up, fma_down, fma_up: each lane correctly rounded, with the zeros'
-///   signs of
+///   fma_scope                a mode that fma_down and fma_up need inside scope, or none
+///   add_down ... sqrt_up, fma_down, fma_up
+///                            each lane correctly rounded, with the zeros' signs of
 ///                            graze::rounding::Backend, the same on every path
 ///   max_or_second(p, q)      p > q ? p : q, so q where either is NaN; min_or_second likewise
 ///   min_number, max_number   the number where the other is NaN; -0 < +0

@@ -4,14 +4,13 @@
 /// A function is a struct in graze::functions with
 ///   static bounds value(bounds...);          the tightest enclosure of its range, empty on empty
 ///   static decoration local(bounds...);      trv, def or dac: what holds on a non-empty box
-///   whatever
-///                                            its size (dac stands for com too: apply() tells them
-///                                            apart by boundedness); trv where an operand is empty
+///                                            whatever its size (dac stands for com too: apply()
+///                                            tells them apart by boundedness); trv where an
+///                                            operand is empty
 ///   static bool continuous_around(bounds...);  only where it can differ from local() == dac: is
-///   the
-///                                            function continuous at every point of the box, seen
-///                                            from the whole domain? (floor on [1, 1] is constant,
-///                                            hence dac, but jumps at 1, hence not com.)
+///                                            the function continuous at every point of the box,
+///                                            seen from the whole domain? (floor on [1, 1] is
+///                                            constant, hence dac, but jumps at 1, hence not com.)
 /// defined in interval/src, compiled with Graze's own flags whatever those of the user. Parameters
 /// other than bounds (an integer exponent) are passed through.
 #include <algorithm>

@@ -6,7 +6,7 @@
 /// its natural extension or its mean value form excludes 0, X is passed, and the next one is
 /// longer; where g is monotone on X, interval Newton contracts X, proves that it holds exactly one
 /// zero, or none; else X is halved. Sources: Neumaier, Interval Methods for Systems of
-/// Equations, 5.1; DESIGN, contract 7.
+/// Equations, 5.1; docs/definitions.md, contract 7.
 ///
 /// Everything is written over `Lanes`, each of which follows a ray of its own: one (one_lane) for
 /// scalar intervals, eight (certified_eight.hpp) in the registers of a path. What a lane finds does

@@ -180,7 +180,7 @@ template <rounding::Backend B> struct ray_bounds {
   }
 
   /// The ray/octant test: never false on a box that the ray touches.
-  /// Source: DESIGN, "The algorithm"; the paper, section 2.4.
+  /// Source: docs/definitions.md, "The ray/octant test"; the paper, section 2.4.
   static bool touches_box(const std::array<axis, 3>& ray, const std::array<number, 3>& lo,
                           const std::array<number, 3>& hi) {
     constexpr auto closed = convention::closed;

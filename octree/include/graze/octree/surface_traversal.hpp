@@ -304,8 +304,8 @@ private:
 /// for the sound one in the convention `owned`, which is front to back; with a baseline they are
 /// what that baseline makes of the scene. B evaluates the surface; its scope must be compatible
 /// with M's: the same, or one that sets no mode. Octree is a sparse_octree or a lazy_octree, with
-/// the same result at any level that is not above the octree's own. Sources: DESIGN, contracts 4 to
-/// 7; the paper, Fig. 1.
+/// the same result at any level that is not above the octree's own. Sources: docs/definitions.md,
+/// contracts 4 to 7; the paper, Fig. 1.
 template <Surface F, Method M = sound<rounding::upward, convention::owned>,
           rounding::Backend B = rounding::upward, class Octree = sparse_octree>
 class surface_traversal {

@@ -90,7 +90,7 @@ template <ChildrenJudge J>
 /// zero of f in the closed domain is kept; one is left out only where an enclosure proves that
 /// there is none. Leaves say whether a zero is certified. The surface is cut at the domain's faces.
 /// Refuses an empty domain and an octree of more than 2^32 nodes. Takes a scope of B itself.
-/// Source: DESIGN, contract 6; the paper, sections 2.2 and 2.5.
+/// Source: docs/definitions.md, contract 6; the paper, sections 2.2 and 2.5.
 template <Surface F, rounding::Backend B = rounding::upward>
 [[nodiscard]] expected<sparse_octree> voxelize(const F& f, const root_cube& root,
                                                const box& domain) {

@@ -1,6 +1,6 @@
 #pragma once
-/// The camera of DESIGN ("The six scenes and the camera"): every constant is dyadic, so that a peer
-/// that follows the order of operations below casts the same double rays, bit for bit.
+/// The camera of the six scenes (docs/definitions.md): every constant is dyadic, so that a peer that
+/// follows the order of operations below casts the same double rays, bit for bit.
 #include <graze/octree/ray.hpp>
 #include <graze/octree/vector.hpp>
 
@@ -15,7 +15,7 @@ struct camera {
   vec3 right;  ///< CR: the picture's full width
   vec3 up;     ///< CU: the picture's full height
 
-  /// DESIGN's camera at scale S: eye = S (3, 2, 6). Exact for every S of the six scenes.
+  /// The six scenes' camera at scale S: eye = S (3, 2, 6). Exact for every S of the six scenes.
   [[nodiscard]] static camera standard(double scale);
 
   /// The directions through the picture are far enough from 0 and from overflow for ray_through:

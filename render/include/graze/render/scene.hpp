@@ -79,15 +79,15 @@ expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int 
 /// f = 0 is the surface of the whole: min for a union, max for an intersection.
 std::string formula_of(const scene& s);
 
-/// The camera and the lights that show a domain: DESIGN's, at the scale that fits, about its
-/// middle.
+/// The camera and the lights that show a domain: those of the six scenes, at the scale that fits,
+/// about its middle.
 camera fitting_camera(const octree::box& domain);
 std::vector<light> fitting_lights(const octree::box& domain);
 
 /// Why nothing can be seen in a domain: it is empty, or not finite. Empty if it is well.
 std::string objection_to(const octree::box& domain);
 
-/// The scenes of DESIGN's table that are built in.
+/// The six scenes (docs/definitions.md) that are built in.
 std::span<const scene> scenes();
 /// nullptr where there is none of this name.
 const scene* find_scene(std::string_view name);

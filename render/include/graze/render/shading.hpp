@@ -36,7 +36,7 @@ inline constexpr colour undecided_colour = {1, 0, 1};
 /// A pixel whose ray was not cast, since the picture was interrupted.
 inline constexpr colour unfinished_colour = {0, 0, 0};
 
-/// DESIGN's two lights at scale S.
+/// The six scenes' two lights (docs/definitions.md) at scale S.
 inline std::vector<light> standard_lights(double scale) {
   return {light{{scale * 10, scale * 12, scale * 4}, 0.8},
           light{{scale * -8, scale * 6, scale * 10}, 0.5}};
