@@ -31,6 +31,49 @@ function(graze_library name)
   set_target_properties(graze_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
+# What a path's instructions are called by the compiler, once for the whole project.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  set(graze_paths baseline avx2 avx512)
+  set(graze_path_type_baseline sse2)
+else()
+  set(graze_paths baseline)
+  set(graze_path_type_baseline portable)
+endif()
+set(graze_path_type_avx2 avx2)
+set(graze_path_type_avx512 avx512)
+set(graze_path_type_portable portable)
+set(graze_path_flags_avx2 -mavx2 -mfma -mpopcnt)
+set(graze_path_flags_avx512 -mavx512f -mavx512dq -mbmi -mbmi2 -mpopcnt -mprefer-vector-width=512)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # gcc bug 105593: its own header's undefined operands
+  list(APPEND graze_path_flags_avx512 -Wno-maybe-uninitialized)
+endif()
+
+# graze_paths(TARGET SOURCE [PATHS path...] [FLAGS flag...]): SOURCE becomes a part of TARGET once for
+# each path (or for those named), compiled for its instructions: graze/batch/per_path.hpp. The objects
+# are named PATH_SOURCE, so that tests find them.
+function(graze_paths target source)
+  cmake_parse_arguments(arg "" "" "PATHS;FLAGS" ${ARGN})
+  if(NOT arg_PATHS)
+    set(arg_PATHS ${graze_paths})
+  endif()
+  get_filename_component(source ${source} ABSOLUTE)
+  file(RELATIVE_PATH place ${PROJECT_SOURCE_DIR} ${source})
+  get_filename_component(folder ${place} DIRECTORY)
+  get_filename_component(name ${place} NAME)
+  foreach(path IN LISTS arg_PATHS)
+    set(made ${PROJECT_BINARY_DIR}/paths/${folder}/${path}_${name})
+    file(CONFIGURE OUTPUT ${made} @ONLY CONTENT
+"#define GRAZE_PATH ${path}
+#define GRAZE_PATH_TYPE ${graze_path_type_${path}}
+#define GRAZE_PATH_HEADER <graze/batch/${graze_path_type_${path}}.hpp>
+#include \"${source}\"
+")
+    target_sources(${target} PRIVATE ${made})
+    set_source_files_properties(${made} PROPERTIES
+      COMPILE_OPTIONS "${arg_FLAGS};${graze_path_flags_${path}}" OBJECT_DEPENDS ${source})
+  endforeach()
+endfunction()
+
 # graze_program(NAME SOURCES...): an executable in bin/.
 function(graze_program name)
   add_executable(${name} ${ARGN})

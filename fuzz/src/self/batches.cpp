@@ -7,7 +7,7 @@
 #include <graze/fuzz/self/interval_operations.hpp>
 #include <graze/oracle/hard_boxes.hpp>
 
-#include "eight/eight.hpp"
+#include "eight.hpp"
 #include "subjects.hpp"
 
 namespace graze::fuzz::self {
@@ -129,10 +129,9 @@ part predicates_by(batch::path p) {
           }};
 }
 
-using eight_function = void (*)(const eight_operands&, eight_results&);
 /// interval8 inline has the spans' bits.
-part eight_part(std::string name, eight_function by) {
-  return {std::move(name), [by](std::uint64_t seed, std::uint64_t index, observations& out) {
+part eight_part(std::string name, eight_kernel evaluate) {
+  return {std::move(name), [evaluate](std::uint64_t seed, std::uint64_t index, observations& out) {
             oracle::random_bits random(oracle::mix(seed) ^ oracle::mix(~index));
             operands o(random, 8);
             eight_operands e{};
@@ -142,7 +141,7 @@ part eight_part(std::string name, eight_function by) {
               e.lo[2][i] = o.zs[i].lo, e.hi[2][i] = o.zs[i].hi;
             }
             eight_results r{};
-            by(e, r);
+            evaluate(e, r);
             arrays right;
             right.size = 8;
             batch::force_path(batch::path::baseline);
@@ -249,14 +248,11 @@ subject batches_subject() {
       s.parts.push_back(spans_by(p));
       s.parts.push_back(predicates_by(p));
     }
-  s.parts.push_back(eight_part("interval8 baseline", eight_by_baseline));
-  s.parts.push_back(eight_part("interval8 portable", eight_by_portable));
-#if defined(__x86_64__)
-  if (!batch::refusal(batch::path::avx2))
-    s.parts.push_back(eight_part("interval8 avx2", eight_by_avx2));
-  if (!batch::refusal(batch::path::avx512))
-    s.parts.push_back(eight_part("interval8 avx512", eight_by_avx512));
-#endif
+  for (const batch::path p : batch::paths)
+    if (!batch::refusal(p))
+      s.parts.push_back(eight_part(std::string("interval8 ") + batch::name(p),
+                                   GRAZE_ALL_PATHS(eight_kernel, evaluate_eight).on(p)));
+  s.parts.push_back(eight_part("interval8 portable", evaluate_eight_portable));
   return s;
 }
 

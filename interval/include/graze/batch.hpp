@@ -38,8 +38,8 @@ struct intervals {
 
 enum class path {
   baseline, ///< SSE2 on x86-64; elsewhere one number at a time
-  avx2,     ///< AVX2 and FMA
-  avx512,   ///< AVX-512 F and DQ: embedded rounding
+  avx2,     ///< AVX2, FMA and POPCNT
+  avx512,   ///< AVX-512 F and DQ (embedded rounding), BMI2 and POPCNT
 };
 inline constexpr path paths[] = {path::baseline, path::avx2, path::avx512};
 /// baseline, avx2, avx512.

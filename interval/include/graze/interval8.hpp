@@ -2,11 +2,10 @@
 /// Eight intervals at once, for formulas written once over any number type.
 ///
 /// `interval8<Path>` is used inside a file compiled for the path's instructions, under a scope:
-///   // eight_avx2.cpp, compiled with -mavx2 -mfma
-///   const batch::avx2::scope scope;
-///   auto value = formula(interval8<batch::avx2>::load(lo, hi), ...);
-/// A file for each path, chosen by batch::path_in_use() (graze/batch.hpp). Without a path of one's
-/// own, the span functions of graze/batch.hpp choose one.
+///   // compiled once for each path (graze/batch/per_path.hpp)
+///   const batch::this_path::scope scope;
+///   auto value = formula(interval8<batch::this_path>::load(lo, hi), ...);
+/// and chosen by batch::path_in_use() (graze/batch.hpp). Without a path of one's own, the span functions of graze/batch.hpp choose one.
 #include <graze/batch.hpp> // before `baseline` below, which g++ would see its enumerator shadow
 #include <graze/batch/formulas.hpp>
 #include <utility>

@@ -15,16 +15,8 @@ using detail::table;
 using detail::target;
 
 const table* table_of(path p) {
-  switch (p) {
-#if defined(__x86_64__)
-  case path::avx512:
-    return &detail::avx512_table;
-  case path::avx2:
-    return &detail::avx2_table;
-#endif
-  default:
-    return &detail::baseline_table;
-  }
+  using namespace detail;
+  return &GRAZE_ALL_PATHS(table, kernels).on(p);
 }
 
 struct choice {
@@ -99,11 +91,13 @@ const char* name(path p) {
 
 std::optional<std::string> refusal(path p) {
 #if defined(__x86_64__)
-  if (p == path::avx2 && !(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")))
-    return "the processor or the system has no AVX2 and FMA";
-  if (p == path::avx512 &&
-      !(__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")))
-    return "the processor or the system has no AVX-512 F and DQ";
+  if (p == path::avx2 && !(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                           __builtin_cpu_supports("popcnt")))
+    return "the processor or the system has no AVX2, FMA and POPCNT";
+  if (p == path::avx512 && !(__builtin_cpu_supports("avx512f") &&
+                             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("bmi") &&
+                             __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt")))
+    return "the processor or the system has no AVX-512 F and DQ, BMI2 and POPCNT";
 #else
   if (p != path::baseline)
     return "not an x86-64 processor";

@@ -3,6 +3,7 @@
 /// flags of each.
 #include <cstddef>
 #include <cstdint>
+#include <graze/batch/per_path.hpp>
 
 namespace graze::batch::detail {
 
@@ -55,10 +56,6 @@ struct table {
   void (*horner)(std::size_t n, target r, source x, const pair* coefficients, std::size_t count);
 };
 
-extern const table baseline_table;
-#if defined(__x86_64__)
-extern const table avx2_table;
-extern const table avx512_table;
-#endif
+GRAZE_DECLARE_ON_PATHS(table, kernels);
 
 } // namespace graze::batch::detail

@@ -5,16 +5,8 @@ namespace graze::octree {
 namespace {
 
 const detail::lane_tables& tables_of(batch::path p) {
-  switch (p) {
-#if defined(__x86_64__)
-  case batch::path::avx512:
-    return detail::avx512_lanes;
-  case batch::path::avx2:
-    return detail::avx2_lanes;
-#endif
-  default:
-    return detail::baseline_lanes;
-  }
+  using namespace detail;
+  return GRAZE_ALL_PATHS(lane_tables, lanes).on(p);
 }
 
 } // namespace

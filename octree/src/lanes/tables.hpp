@@ -1,6 +1,7 @@
 #pragma once
 /// The kernels of the six surfaces: constants, so that nothing of a path's file runs before a path
 /// has been chosen.
+#include <graze/batch/per_path.hpp>
 #include <graze/octree/lane_kernels.hpp>
 
 namespace graze::octree::detail {
@@ -14,9 +15,6 @@ struct lane_tables {
   lane_kernels<octree::asterisk<9, 18>> asterisk_9_18;
 };
 
-extern const lane_tables baseline_lanes;
-#if defined(__x86_64__)
-extern const lane_tables avx2_lanes, avx512_lanes;
-#endif
+GRAZE_DECLARE_ON_PATHS(lane_tables, lanes);
 
 } // namespace graze::octree::detail

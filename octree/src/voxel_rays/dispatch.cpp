@@ -1,23 +1,11 @@
 // Which path's kernels run, and what they do not do themselves: set up a walk, decide exactly.
-#include <graze/batch.hpp>
+#include <graze/batch/per_path.hpp>
 #include <graze/octree/voxel_rays.hpp>
 
 namespace graze::octree::detail {
 
 const voxel_rays_table& voxel_rays_kernels() {
-#if defined(__x86_64__)
-  switch (batch::path_in_use()) {
-  case batch::path::avx512:
-    if (__builtin_cpu_supports("bmi2"))
-      return voxel_rays_avx512;
-    break;
-  case batch::path::avx2:
-    return voxel_rays_avx2;
-  default:
-    break;
-  }
-#endif
-  return voxel_rays_baseline;
+  return GRAZE_ALL_PATHS(voxel_rays_table, voxel_rays).on(batch::path_in_use());
 }
 
 void prepare(voxel_rays_state& s, const voxel_set& set, convention what, exactness how,

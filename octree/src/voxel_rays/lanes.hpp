@@ -78,5 +78,11 @@ private:
       leave_origin_[12], c_down_[12], c_up_[12], enter_[12], leave_[12];
 };
 
+/// The node's test of a path.
+template <class P> struct node_test_on {
+  using type = lanes_test<P>;
+};
+template <class P> using node_test = typename node_test_on<P>::type;
+
 } // namespace
 } // namespace graze::octree::detail

@@ -2,6 +2,7 @@
 /// What voxel_rays.hpp and the paths' files have in common: plain data, no code.
 #include <cstddef>
 #include <cstdint>
+#include <graze/batch/per_path.hpp>
 
 namespace graze::octree {
 
@@ -68,11 +69,7 @@ struct voxel_rays_table {
   std::uint32_t (*count)(voxel_rays_state&);
 };
 
-extern const voxel_rays_table voxel_rays_baseline;
-#if defined(__x86_64__)
-extern const voxel_rays_table voxel_rays_avx2;
-extern const voxel_rays_table voxel_rays_avx512;
-#endif
+GRAZE_DECLARE_ON_PATHS(voxel_rays_table, voxel_rays);
 
 /// Decides what the filter leaves: whether the voxel is to be reported. In any rounding mode.
 bool voxel_rays_meet(const voxel_rays_state& s, std::uint64_t packed);

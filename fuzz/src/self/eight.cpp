@@ -1,11 +1,11 @@
-#pragma once
+// interval8's operations, compiled for each path.
 #include "eight.hpp"
 #include <graze/interval8.hpp>
 
 namespace graze::fuzz::self {
 namespace {
 
-template <class Path> void eight_by(const eight_operands& o, eight_results& r) {
+template <class Path> void evaluate(const eight_operands& o, eight_results& r) {
   using I = interval8<Path>;
   const typename Path::scope scope;
   const I x = I::load(o.lo[0], o.hi[0]), y = I::load(o.lo[1], o.hi[1]),
@@ -30,4 +30,7 @@ template <class Path> void eight_by(const eight_operands& o, eight_results& r) {
 }
 
 } // namespace
+
+constinit const eight_kernel GRAZE_ON_PATH(evaluate_eight) = &evaluate<batch::this_path>;
+
 } // namespace graze::fuzz::self

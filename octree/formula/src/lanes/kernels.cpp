@@ -1,9 +1,9 @@
-// The kernels of the path avx512, compiled for its instructions.
+// The kernels of formulas, compiled for each path.
 #include "tables.hpp"
 #include <graze/octree/lane_kernels_of_path.hpp>
 #include <graze/octree_formula/operations_eight.hpp>
 
 namespace graze::octree::detail {
-constinit const lane_kernels<formula_surface> avx512_formula_lanes =
-    make_lane_kernels<batch::avx512, formula_surface>();
+constinit const lane_kernels<formula_surface>
+    GRAZE_ON_PATH(formula_lanes) = make_lane_kernels<batch::this_path, formula_surface>();
 } // namespace graze::octree::detail

@@ -1,5 +1,7 @@
-// The path avx512, compiled with its instructions: a node's slabs in three registers.
-#include "kernels.hpp"
+#pragma once
+/// A node's test where a register holds eight doubles (AVX-512): its slabs are in three of them.
+#include "lanes.hpp"
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
 #include <graze/batch/avx512.hpp>
 
 namespace graze::octree::detail {
@@ -110,9 +112,10 @@ private:
   alignas(64) double kept_enter_[8], kept_leave_[8], kept_z_[8];
 };
 
-} // namespace
+template <> struct node_test_on<batch::avx512> {
+  using type = registers_test;
+};
 
-using lanes = batch::avx512;
-constinit const voxel_rays_table voxel_rays_avx512{
-    start<lanes, registers_test>, fill<lanes, registers_test>, count<lanes, registers_test>};
+} // namespace
 } // namespace graze::octree::detail
+#endif
