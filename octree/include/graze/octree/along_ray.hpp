@@ -82,7 +82,7 @@ public:
     const d g = f_(moving[0], moving[1], moving[2]);
     if (const int sign = certified_sign(g.value); sign != 0)
       return sign;
-    const double middle = std::clamp(first / 2 + last / 2, first, last);
+    const double middle = detail::centre<scalar_path<B>>(first, last);
     const interval at_middle = natural_extension<B>(f_, points(middle, middle));
     const interval offset(B::sub_down(first, middle), B::sub_up(last, middle));
     return certified_sign(at_middle + g.partial[0] * offset);

@@ -36,7 +36,7 @@ template <> struct direction_of_sine<18> { // pi/36
                                         0x1.64fd6b8c28103p-4};
 };
 
-/// What an asterisk asks of a number type: double here, intervals below, eight of them in
+/// What an asterisk asks of a number type: double, and intervals below; eight of them with
 /// asterisk_eight.hpp. Over a type without it the surface is evaluated by its sines.
 template <class N> struct angular;
 
@@ -61,85 +61,116 @@ template <> struct angular<double> {
 };
 
 namespace detail {
-/// The arithmetic that intervals and eight intervals have in common. `A` has the rest:
-///   corner(z, rho, far, u, v)   sets (u, v) to the corner of the box at which the angle from +z is
-///                               least or, `far`, greatest
-///   between(a, b, above, below) the hull of a and b, cut to [-1, 1]; up to 1 where a and above may
-///                               be >= 0 and below may be <= 0
-///   turned(t, a, b)             the hull of a and b, cut to [-1, 1]; to 1 where t has -1/2, and
-///                               to -1 where it has 1/2
-template <class A, class I> struct angular_intervals {
+/// Over the lanes of a register.
+template <class P> struct angular_lanes {
+  using vector = typename P::vector;
+  using mask = typename P::mask;
+  using part = batch::part<P>;
+
+  static GRAZE_BATCH_INLINE part lower_end(const part& x) { return {x.lo, x.lo}; }
+  static GRAZE_BATCH_INLINE part upper_end(const part& x) { return {x.hi, x.hi}; }
+  /// rho at the corner of the box at which the angle from +z is least, and greatest.
+  static GRAZE_BATCH_INLINE part near_rho(const part& z, const part& rho) {
+    const vector v = P::select(P::less_equal(P::zero(), z.hi), rho.lo, rho.hi);
+    return {v, v};
+  }
+  static GRAZE_BATCH_INLINE part far_rho(const part& z, const part& rho) {
+    const vector v = P::select(P::less_equal(P::zero(), z.lo), rho.hi, rho.lo);
+    return {v, v};
+  }
+  /// The hull of a and b, cut to [-1, 1]; up to 1 where a and above may be >= 0 and below may be
+  /// <= 0.
+  static GRAZE_BATCH_INLINE part between(const part& a, const part& b, const part& above,
+                                         const part& below) {
+    const vector one = P::broadcast(1), minus = P::broadcast(-1);
+    const vector lo = P::min_or_second(a.lo, b.lo), hi = P::max_or_second(a.hi, b.hi);
+    const mask turns =
+        P::both(P::less_equal(P::zero(), a.hi),
+                P::both(P::less_equal(P::zero(), above.hi), P::less_equal(below.lo, P::zero())));
+    // a NaN, of a corner in the origin, fails the comparisons
+    const mask known = P::both(P::less_equal(a.lo, a.hi), P::less_equal(b.lo, b.hi));
+    const mask low = P::both(known, P::less(minus, lo)), high = P::both(known, P::less(hi, one));
+    return {P::select(low, lo, minus), P::select(high, P::select(turns, one, hi), one)};
+  }
+  /// The hull of a and b, cut to [-1, 1]; to 1 where t has -1/2, and to -1 where it has 1/2.
+  static GRAZE_BATCH_INLINE part turned(const part& t, const part& a, const part& b) {
+    const vector one = P::broadcast(1), minus = P::broadcast(-1), half = P::broadcast(0.5),
+                 minus_half = P::broadcast(-0.5);
+    const vector lo = P::min_or_second(a.lo, b.lo), hi = P::max_or_second(a.hi, b.hi);
+    const mask falls = P::both(P::less_equal(t.lo, half), P::less_equal(half, t.hi)),
+               rises = P::both(P::less_equal(t.lo, minus_half), P::less_equal(minus_half, t.hi));
+    return {P::select(P::less(minus, lo), P::select(falls, minus, lo), minus),
+            P::select(P::less(hi, one), P::select(rises, one, hi), one)};
+  }
+  static GRAZE_BATCH_INLINE part limited(const part& x, const part& limit) {
+    const vector most = limit.hi, least = P::neg(most);
+    return {P::select(P::less(least, x.lo), x.lo, least),
+            P::select(P::less(x.hi, most), x.hi, most)};
+  }
+};
+
+/// Intervals and eight intervals.
+template <class I> struct angular_intervals {
+  using lanes = angular_lanes<typename lanewise<I>::path>;
+  using formulas = batch::formulas<typename lanewise<I>::path>;
+  template <auto Operation, class... Operands>
+  static GRAZE_BATCH_INLINE I each(const Operands&... x) {
+    return lanewise<I>::template apply<Operation>(x...);
+  }
+
+  static GRAZE_BATCH_INLINE I bounds_of(const rational_bounds& c) { return I(c.lo, c.hi); }
+  static GRAZE_BATCH_INLINE I magnitude(const I& x) { return each<&formulas::abs>(x); }
+  static GRAZE_BATCH_INLINE I root(const I& x) { return sqrt(x); }
+  static GRAZE_BATCH_INLINE I reciprocal(const I& x) { return I(1.0) / x; }
+  static GRAZE_BATCH_INLINE I limited(const I& x, const I& limit) {
+    return each<&lanes::limited>(x, limit);
+  }
+
   /// z / sqrt(z^2 + rho^2), rho >= 0: the cosine of the angle from +z, which falls with it.
   static I cosine(const I& z, const I& rho) {
-    const auto at = [](const I& u, const I& v) { return u / A::root(sqr(u) + sqr(v)); };
+    const auto at = [](const I& u, const I& v) { return u / root(sqr(u) + sqr(v)); };
     I u, v, p, q;
-    A::corner(z, rho, false, u, v);
-    A::corner(z, rho, true, p, q);
+    corner(z, rho, false, u, v);
+    corner(z, rho, true, p, q);
     const I nowhere = constants<I>::exact(-1);
-    return A::between(at(u, v), at(p, q), nowhere, nowhere);
+    return each<&lanes::between>(at(u, v), at(p, q), nowhere, nowhere);
   }
   /// rho >= 0; the direction is between +z and +rho. It is within the box's angles, and 1 is
   /// reached, if it is not nearer to +z than the first corner, nor further than the last; the first
   /// is then less than a right angle from it.
   static I cosine_to(const I& z, const I& rho, const rational_bounds& cosine,
                      const rational_bounds& sine) {
-    const I c = A::bounds_of(cosine), s = A::bounds_of(sine);
+    const I c = bounds_of(cosine), s = bounds_of(sine);
     I u, v, p, q;
-    A::corner(z, rho, false, u, v);
-    A::corner(z, rho, true, p, q);
-    return A::between((u * c + v * s) / A::root(sqr(u) + sqr(v)),
-                      (p * c + q * s) / A::root(sqr(p) + sqr(q)), u * s - v * c, p * s - q * c);
+    corner(z, rho, false, u, v);
+    corner(z, rho, true, p, q);
+    return each<&lanes::between>((u * c + v * s) / root(sqr(u) + sqr(v)),
+                                 (p * c + q * s) / root(sqr(p) + sqr(q)), u * s - v * c,
+                                 p * s - q * c);
   }
   /// T_3 rises to 1 at -1/2, falls to -1 at 1/2, and rises.
   static I third(const I& t) {
-    const I a = A::lower_end(t), b = A::upper_end(t);
+    const I a = each<&lanes::lower_end>(t), b = each<&lanes::upper_end>(t);
     const I three = constants<I>::exact(3);
     const auto at = [&](const I& x) {
       const I y = x + x;
       return x * (sqr(y) - three);
     };
-    return A::turned(t, at(a), at(b));
+    return each<&lanes::turned>(t, at(a), at(b));
+  }
+
+private:
+  /// The corner (u, v) of the box at which the angle from +z is least or, `far`, greatest.
+  static GRAZE_BATCH_INLINE void corner(const I& z, const I& rho, bool far, I& u, I& v) {
+    u = far ? each<&lanes::lower_end>(z) : each<&lanes::upper_end>(z);
+    v = far ? each<&lanes::far_rho>(z, rho) : each<&lanes::near_rho>(z, rho);
   }
 };
 } // namespace detail
 
 template <class Policies>
 struct angular<boost::numeric::interval<double, Policies>>
-    : detail::angular_intervals<angular<boost::numeric::interval<double, Policies>>,
-                                boost::numeric::interval<double, Policies>> {
-  using interval = boost::numeric::interval<double, Policies>;
-  static interval bounds_of(const rational_bounds& c) { return interval(c.lo, c.hi); }
-  static interval magnitude(const interval& x) {
-    return interval(std::max({0.0, x.lower(), -x.upper()}), std::max(-x.lower(), x.upper()));
-  }
-  static interval root(const interval& x) { return graze::sqrt(x); }
-  static interval reciprocal(const interval& x) { return interval(1.0) / x; }
-
-  static interval lower_end(const interval& x) { return interval(x.lower()); }
-  static interval upper_end(const interval& x) { return interval(x.upper()); }
-  static void corner(const interval& z, const interval& rho, bool far, interval& u, interval& v) {
-    u = interval(far ? z.lower() : z.upper());
-    v = interval((u.lower() >= 0) != far ? rho.lower() : rho.upper());
-  }
-  static interval between(const interval& a, const interval& b, const interval& above,
-                          const interval& below) {
-    const double lo = std::min(a.lower(), b.lower()), hi = std::max(a.upper(), b.upper());
-    const bool turns = a.upper() >= 0 && above.upper() >= 0 && below.lower() <= 0;
-    // a NaN, of a corner in the origin, fails the comparisons
-    const bool known = a.lower() <= a.upper() && b.lower() <= b.upper();
-    return interval(known && lo > -1 ? lo : -1.0, known && hi < 1 && !turns ? hi : 1.0);
-  }
-  static interval turned(const interval& t, const interval& a, const interval& b) {
-    const double lo = std::min(a.lower(), b.lower()), hi = std::max(a.upper(), b.upper());
-    const bool falls_to = t.lower() <= 0.5 && t.upper() >= 0.5,
-               rises_to = t.lower() <= -0.5 && t.upper() >= -0.5;
-    return interval(lo > -1 && !falls_to ? lo : -1.0, hi < 1 && !rises_to ? hi : 1.0);
-  }
-  static interval limited(const interval& x, const interval& limit) {
-    const double most = limit.upper(), lo = x.lower(), hi = x.upper();
-    return interval(lo > -most ? lo : -most, hi < most ? hi : most, true);
-  }
-};
+    : detail::angular_intervals<boost::numeric::interval<double, Policies>> {};
 
 /// sin(M theta) sin(N phi) - R. M: 3 or 9. N: 4 or 18.
 template <int M, int N> struct asterisk {

@@ -57,6 +57,9 @@ template <class Path> struct eight_lanes {
   GRAZE_LANES number min(const number& x, const number& y) { return number::min(x, y); }
   GRAZE_LANES number max(const number& x, const number& y) { return number::max(x, y); }
   GRAZE_LANES number neg(const number& x) { return number::neg(x); }
+  GRAZE_LANES number centre(const number& lo, const number& hi) {
+    return number::template each<&detail::centre<Path>>(lo, hi);
+  }
   GRAZE_LANES unsigned less(const number& x, const number& y) { return number::less(x, y); }
   GRAZE_LANES unsigned less_equal(const number& x, const number& y) {
     return number::less_equal(x, y);
@@ -66,20 +69,6 @@ template <class Path> struct eight_lanes {
   }
 #undef GRAZE_LANES
 };
-
-namespace detail {
-/// What `lesser` of dual.hpp makes of a partial derivative, in a lane each.
-template <class P> struct lesser_lanes {
-  using interval = batch::part<P>;
-  static GRAZE_BATCH_INLINE interval partial(const interval& a, const interval& b,
-                                             const interval& of_a, const interval& of_b) {
-    const auto only_a = P::less(a.hi, b.lo), only_b = P::less(b.hi, a.lo);
-    return {
-        P::select(only_a, of_a.lo, P::select(only_b, of_b.lo, P::min_or_second(of_a.lo, of_b.lo))),
-        P::select(only_a, of_a.hi, P::select(only_b, of_b.hi, P::max_or_second(of_a.hi, of_b.hi)))};
-  }
-};
-} // namespace detail
 
 /// As for scalar intervals (dual.hpp): Clarke's generalized gradient across the crease.
 template <class Path, std::size_t P>

@@ -60,6 +60,7 @@ template <rounding::Backend B> struct one_lane {
   static number min(number x, number y) { return x < y ? x : y; }
   static number max(number x, number y) { return x > y ? x : y; }
   static number neg(number x) { return -x; }
+  static number centre(number lo, number hi) { return detail::centre<scalar_path<B>>(lo, hi); }
   static unsigned less(number x, number y) { return x < y ? 1 : 0; }
   static unsigned less_equal(number x, number y) { return x <= y ? 1 : 0; }
   /// q in the lanes of the mask, p in the others.
@@ -154,8 +155,7 @@ public:
     // g on X = [t, u], and at a point of X: its middle, or t as long as no sign is known there
     const unsigned unknown = ~(positive_ | negative_) & all;
     const number half = L::broadcast(0.5);
-    const number middle = L::min(L::max(L::add_up(L::mul_up(t, half), L::mul_up(u, half)), t), u);
-    const number c = L::chosen(unknown, t, middle);
+    const number c = L::chosen(unknown, t, L::centre(t, u));
     const slope g = along(t, u);
     const interval at_c = at(c);
     const interval offset = L::between(L::sub_down(t, c), L::sub_up(u, c));

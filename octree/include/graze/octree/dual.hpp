@@ -94,12 +94,32 @@ bool certainly_less(const boost::numeric::interval<double, Policies>& a,
 }
 template <class N> bool certainly_less(const N& a, const N& b) { return a < b; }
 
+/// Over the lanes of a register.
+template <class P> struct lesser_lanes {
+  using part = batch::part<P>;
+  /// The hull. Empty where either is: of a slope that is not known nothing is known.
+  static GRAZE_BATCH_INLINE part either(const part& a, const part& b) {
+    const auto is_empty =
+        P::either_nan(a.lo, a.lo); // an empty b comes through as the second operand
+    return {P::select(is_empty, a.lo, P::min_or_second(a.lo, b.lo)),
+            P::select(is_empty, a.hi, P::max_or_second(a.hi, b.hi))};
+  }
+  /// What `lesser` makes of a partial derivative.
+  static GRAZE_BATCH_INLINE part partial(const part& a, const part& b, const part& of_a,
+                                         const part& of_b) {
+    const auto only_a = P::less(a.hi, b.lo), only_b = P::less(b.hi, a.lo);
+    const part both = either(of_a, of_b);
+    return {P::select(only_a, of_a.lo, P::select(only_b, of_b.lo, both.lo)),
+            P::select(only_a, of_a.hi, P::select(only_b, of_b.hi, both.hi))};
+  }
+};
+
 template <class Policies>
 boost::numeric::interval<double, Policies>
 either(const boost::numeric::interval<double, Policies>& a,
        const boost::numeric::interval<double, Policies>& b) {
-  return boost::numeric::interval<double, Policies>(std::min(a.lower(), b.lower()),
-                                                    std::max(a.upper(), b.upper()));
+  return lanewise<boost::numeric::interval<double, Policies>>::template apply<
+      &lesser_lanes<batch::portable>::either>(a, b);
 }
 template <class N> N either(const N& a, const N&) { return a; }
 } // namespace detail

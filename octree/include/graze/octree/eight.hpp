@@ -2,6 +2,7 @@
 /// Formulas of surfaces over eight boxes at once: what interval8 needs beside its own operations.
 #include <graze/interval8.hpp>
 #include <graze/octree/formula.hpp>
+#include <graze/octree/lanewise.hpp>
 
 namespace graze::octree {
 
@@ -11,6 +12,18 @@ template <class Path> struct constants<interval8<Path>> {
     return interval8<Path>(value.lo, value.hi);
   }
   static GRAZE_BATCH_INLINE interval8<Path> exact(double x) { return interval8<Path>(x); }
+};
+
+template <class Path> struct lanewise<interval8<Path>> {
+  using path = Path;
+  template <auto Operation, class... Operands>
+  static GRAZE_BATCH_INLINE interval8<Path> apply(const Operands&... x) {
+    return interval8<Path>::template lanewise<Operation>(x...);
+  }
+  template <auto Predicate, class... Operands>
+  static GRAZE_BATCH_INLINE bool everywhere(const Operands&... x) {
+    return interval8<Path>::template lanes_where<Predicate>(x...).all();
+  }
 };
 
 namespace detail {

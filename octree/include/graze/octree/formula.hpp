@@ -3,7 +3,9 @@
 /// over which a surface is evaluated, and is as tight as that type allows.
 #include <algorithm>
 #include <cstdint>
+#include <graze/batch/formulas.hpp>
 #include <graze/interval.hpp>
+#include <graze/octree/lanewise.hpp>
 #include <graze/rounding/upward.hpp>
 
 namespace graze::octree {
@@ -63,14 +65,15 @@ template <class Policies> struct constants<boost::numeric::interval<double, Poli
 using graze::sqr;
 template <class N> N sqr(const N& x) { return x * x; }
 
-/// The lesser of two numbers; for intervals { min(s, t) : s in a, t in b }, 0 ulp.
+/// The lesser of two numbers; for intervals { min(s, t) : s in a, t in b }, 0 ulp, empty where
+/// either is.
 template <class N> N lesser(const N& a, const N& b) { return b < a ? b : a; }
 template <class Policies>
 boost::numeric::interval<double, Policies>
 lesser(const boost::numeric::interval<double, Policies>& a,
        const boost::numeric::interval<double, Policies>& b) {
-  return boost::numeric::interval<double, Policies>(std::min(a.lower(), b.lower()),
-                                                    std::min(a.upper(), b.upper()));
+  return lanewise<boost::numeric::interval<double, Policies>>::template apply<
+      &batch::formulas<batch::portable>::min>(a, b);
 }
 
 /// x^3 - x, for a number type that knows no better. Specialize it for one that does: unlike an

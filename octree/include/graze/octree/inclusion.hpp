@@ -42,14 +42,23 @@ template <rounding::Backend B, Surface F>
   return f(d::variable(x[0], 0), d::variable(x[1], 1), d::variable(x[2], 2));
 }
 
+namespace detail {
+/// A number of [lo, hi] near its middle. Halves are added, since the sum may overflow, and the
+/// result is clamped, since halves of subnormal numbers are rounded.
+template <class P>
+GRAZE_BATCH_INLINE typename P::vector centre(typename P::vector lo, typename P::vector hi) {
+  const auto half = P::broadcast(0.5);
+  return P::min_or_second(P::max_or_second(P::add_up(P::mul_up(lo, half), P::mul_up(hi, half)), lo),
+                          hi);
+}
+} // namespace detail
+
 /// Encloses { f(p) : p in x } by f(c) + gradient(x) . (x - c), c a point of x near its centre.
 template <rounding::Backend B, Surface F>
 [[nodiscard]] bound<B> mean_value_form(const F& f, const bound3<B>& x, const bound3<B>& gradient) {
   bound3<B> centre;
   for (int a = 0; a < 3; ++a)
-    // clamped, since halves of subnormal numbers are rounded
-    centre[a] =
-        bound<B>(std::clamp(x[a].lower() / 2 + x[a].upper() / 2, x[a].lower(), x[a].upper()));
+    centre[a] = bound<B>(detail::centre<scalar_path<B>>(x[a].lower(), x[a].upper()));
   bound<B> r = natural_extension<B>(f, centre);
   for (int a = 0; a < 3; ++a)
     r = r + gradient[a] * (x[a] - centre[a]);

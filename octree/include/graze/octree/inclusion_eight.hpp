@@ -3,6 +3,7 @@
 /// the verdicts of inclusion.hpp in each.
 #include <graze/octree/dual.hpp>
 #include <graze/octree/eight.hpp>
+#include <graze/octree/inclusion.hpp>
 #include <graze/octree/octet.hpp>
 #include <graze/octree/surfaces.hpp>
 #include <utility>
@@ -61,10 +62,8 @@ template <class P> struct sign_lanes {
   static GRAZE_BATCH_INLINE mask either(const batch::part<P>& x) {
     return P::either(positive(x), negative(x));
   }
-  /// x.lo / 2 + x.hi / 2, rounded up like the scalar function's under its scope.
   static GRAZE_BATCH_INLINE batch::part<P> centre(const batch::part<P>& x) {
-    const auto half = P::broadcast(0.5);
-    const auto c = P::add_up(P::mul_up(x.lo, half), P::mul_up(x.hi, half));
+    const auto c = detail::centre<P>(x.lo, x.hi);
     return {c, c};
   }
 };
@@ -82,28 +81,36 @@ template <class Path> GRAZE_BATCH_INLINE unsigned excludes_zero(const interval8<
   return interval8<Path>::template lanes_where<&detail::sign_lanes<Path>::either>(v).bits;
 }
 
+/// mean_value_form of inclusion.hpp in each lane.
+template <class Path, class F>
+GRAZE_BATCH_INLINE interval8<Path> mean_value_form(const F& f, const interval8<Path>& x,
+                                                   const interval8<Path>& y,
+                                                   const interval8<Path>& z) {
+  using I = interval8<Path>;
+  using d = dual<I>;
+  const d at = f(d::variable(x, 0), d::variable(y, 1), d::variable(z, 2));
+  const auto centre = [](const I& t) {
+    return I::template lanewise<&detail::sign_lanes<Path>::centre>(t);
+  };
+  const I cx = centre(x), cy = centre(y), cz = centre(z);
+  I r = f(cx, cy, cz);
+  r = r + at.partial[0] * (x - cx);
+  r = r + at.partial[1] * (y - cy);
+  r = r + at.partial[2] * (z - cz);
+  return r;
+}
+
 /// has_no_zero of inclusion.hpp in each of `wanted`'s lanes (a bit of the others has no meaning):
-/// by the natural extension and, for a surface of which that does not suffice, by the mean value form
-/// where it leaves a wanted lane open. Domain: boxes that are not empty in the wanted lanes.
+/// by the natural extension and, for a surface of which that does not suffice, by the mean value
+/// form where it leaves a wanted lane open. Domain: boxes that are not empty in the wanted lanes.
 template <class Path, class F>
 GRAZE_BATCH_INLINE unsigned have_no_zero(const F& f, const eight_boxes<Path>& b, unsigned wanted) {
   using I = interval8<Path>;
   const I x = b.axis(0), y = b.axis(1), z = b.axis(2);
   unsigned none = excludes_zero(f(x, y, z));
   if constexpr (!natural_extension_suffices<F>()) {
-    if ((wanted & ~none) != 0 && !natural_extension_suffices(f)) {
-      using d = dual<I>;
-      const d at = f(d::variable(x, 0), d::variable(y, 1), d::variable(z, 2));
-      const auto centre = [](const I& t) {
-        return I::template lanewise<&detail::sign_lanes<Path>::centre>(t);
-      };
-      const I cx = centre(x), cy = centre(y), cz = centre(z);
-      I r = f(cx, cy, cz);
-      r = r + at.partial[0] * (x - cx);
-      r = r + at.partial[1] * (y - cy);
-      r = r + at.partial[2] * (z - cz);
-      none |= excludes_zero(r);
-    }
+    if ((wanted & ~none) != 0 && !natural_extension_suffices(f))
+      none |= excludes_zero(mean_value_form(f, x, y, z));
   } else {
     static_cast<void>(wanted);
   }

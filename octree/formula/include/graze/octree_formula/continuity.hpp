@@ -59,7 +59,9 @@ template <class Policies> struct continuity<boost::numeric::interval<double, Pol
     return continuous_on(op, to_bounds(a), to_bounds(b), n) ? 1 : 0;
   }
   /// The value, or 1 where there is none; see formula_surface.
-  static interval defined(const interval& x) { return to_bounds(x).is_empty() ? interval(1.0) : x; }
+  static interval defined(const interval& x) {
+    return lanewise<interval>::template apply<&detail::tape_lanes<batch::portable>::defined>(x);
+  }
   /// x where f is continuous, else no bound.
   static interval where(unsigned continuous, const interval& x) {
     return continuous != 0 ? x : interval::whole();

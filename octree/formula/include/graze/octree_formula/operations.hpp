@@ -13,6 +13,7 @@
 #include <graze/functions/reciprocal_trigonometric.hpp>
 #include <graze/functions/trigonometric.hpp>
 #include <graze/octree/formula.hpp>
+#include <graze/octree/lanewise.hpp>
 #include <graze/octree_formula/tape.hpp>
 
 namespace graze::octree::tape {
@@ -134,34 +135,129 @@ template <> struct operations<double> {
   }
 };
 
+namespace detail {
+
+/// What a tape asks of intervals beside arithmetic and functions, over the lanes of a register.
+template <class P> struct tape_lanes {
+  using vector = typename P::vector;
+  using mask = typename P::mask;
+  using part = batch::part<P>;
+
+  static GRAZE_BATCH_INLINE part lower_end(const part& x) { return {x.lo, x.lo}; }
+  static GRAZE_BATCH_INLINE part upper_end(const part& x) { return {x.hi, x.hi}; }
+  /// The range from the values at both ends; entire where x is unbounded, empty where it is empty.
+  static GRAZE_BATCH_INLINE part between(const part& x, const part& first, const part& last) {
+    const vector infinity = P::broadcast(checking::infinity);
+    const mask bounded = P::both(P::less(P::neg(infinity), x.lo), P::less(x.hi, infinity));
+    const vector lo = P::select(bounded, P::min_or_second(first.lo, last.lo), P::neg(infinity));
+    const vector hi = P::select(bounded, P::max_or_second(first.hi, last.hi), infinity);
+    const mask is_empty = P::either_nan(x.lo, x.hi);
+    return {P::select(is_empty, x.lo, lo), P::select(is_empty, x.lo, hi)};
+  }
+  /// x, or nothing where it is a point: the value there is tighter than those in a turn.
+  static GRAZE_BATCH_INLINE part stretch(const part& x) {
+    const mask longer = P::less(x.lo, x.hi);
+    const vector nan = P::broadcast(checking::nan());
+    return {P::select(longer, x.lo, nan), P::select(longer, x.hi, nan)};
+  }
+  static GRAZE_BATCH_INLINE mask is_point(const part& x) { return P::equal(x.lo, x.hi); }
+  /// r, with the values in a turn where x meets it.
+  static GRAZE_BATCH_INLINE part turned(const part& x, const part& r, const part& turn,
+                                        const part& values) {
+    const mask meets = P::both(P::less_equal(x.lo, turn.hi), P::less_equal(turn.lo, x.hi));
+    return {P::select(meets, P::min_or_second(r.lo, values.lo), r.lo),
+            P::select(meets, P::max_or_second(r.hi, values.hi), r.hi)};
+  }
+  static GRAZE_BATCH_INLINE part known(const part& slope) {
+    const mask is_empty = P::either_nan(slope.lo, slope.hi);
+    const vector infinity = P::broadcast(checking::infinity);
+    return {P::select(is_empty, P::neg(infinity), slope.lo),
+            P::select(is_empty, infinity, slope.hi)};
+  }
+  static GRAZE_BATCH_INLINE part within_one(const part& slope) {
+    const mask is_empty = P::either_nan(slope.lo, slope.hi);
+    const vector one = P::broadcast(1), minus = P::broadcast(-1);
+    return {P::select(is_empty, minus, P::min_or_second(P::max_or_second(slope.lo, minus), one)),
+            P::select(is_empty, one, P::min_or_second(P::max_or_second(slope.hi, minus), one))};
+  }
+  static GRAZE_BATCH_INLINE part abs_slope(const part& x) {
+    const vector zero = P::zero(), one = P::broadcast(1), minus = P::broadcast(-1);
+    const mask up = P::less_equal(zero, x.lo), down = P::less_equal(x.hi, zero);
+    return {P::select(up, P::select(down, minus, one), minus),
+            P::select(down, P::select(up, one, minus), one)};
+  }
+  static GRAZE_BATCH_INLINE part of_lesser(const part& a, const part& b, const part& if_a,
+                                           const part& if_b) {
+    const mask is_a = P::less_equal(a.hi, b.lo), is_b = P::less_equal(b.hi, a.lo);
+    const vector lo = P::min_or_second(if_b.lo, if_a.lo), hi = P::max_or_second(if_b.hi, if_a.hi);
+    return {P::select(is_a, if_a.lo, P::select(is_b, if_b.lo, lo)),
+            P::select(is_a, if_a.hi, P::select(is_b, if_b.hi, hi))};
+  }
+  static GRAZE_BATCH_INLINE part defined(const part& x) {
+    const mask is_empty = P::either_nan(x.lo, x.hi);
+    const vector one = P::broadcast(1);
+    return {P::select(is_empty, one, x.lo), P::select(is_empty, one, x.hi)};
+  }
+};
+
+/// Operations of intervals and of eight intervals, written once.
+template <class I> struct interval_operations {
+  using path = typename lanewise<I>::path;
+  using formulas = batch::formulas<path>;
+  using lanes = tape_lanes<path>;
+  template <auto Operation, class... Operands>
+  static GRAZE_BATCH_INLINE I each(const Operands&... x) {
+    return lanewise<I>::template apply<Operation>(x...);
+  }
+
+  static GRAZE_BATCH_INLINE I number(const constant& c) { return I(c.lo, c.hi); }
+  static GRAZE_BATCH_INLINE I div(const I& x, const I& y) { return x / y; }
+  static GRAZE_BATCH_INLINE I recip(const I& x) { return I(1.0) / x; }
+  static GRAZE_BATCH_INLINE I abs(const I& x) { return each<&formulas::abs>(x); }
+  static GRAZE_BATCH_INLINE I min(const I& x, const I& y) { return each<&formulas::min>(x, y); }
+  static GRAZE_BATCH_INLINE I max(const I& x, const I& y) { return each<&formulas::max>(x, y); }
+
+  /// By its monotone pieces: the range runs between the values at x's ends and in the turns that x
+  /// meets.
+  static I polynomial(const polynomial_view& p, const I& x) {
+    const I first = horner(p, each<&lanes::lower_end>(x));
+    if (lanewise<I>::template everywhere<&lanes::is_point>(x))
+      return each<&lanes::between>(x, first, first);
+    const I last = horner(p, each<&lanes::upper_end>(x));
+    I r = each<&lanes::between>(x, first, last);
+    const I stretch = each<&lanes::stretch>(x);
+    for (std::uint32_t i = 0; i < p.turn_count; ++i) {
+      const turn& t = p.turns[i];
+      r = each<&lanes::turned>(stretch, r, I(t.lo, t.hi), I(t.least, t.greatest));
+    }
+    return r;
+  }
+
+  // For derivatives.
+
+  /// A slope, or what is known of one that nothing is known of.
+  static GRAZE_BATCH_INLINE I known(const I& slope) { return each<&lanes::known>(slope); }
+  /// A slope that is known to be in [-1, 1].
+  static GRAZE_BATCH_INLINE I within_one(const I& slope) { return each<&lanes::within_one>(slope); }
+  /// The slopes of |x|.
+  static GRAZE_BATCH_INLINE I abs_slope(const I& x) { return each<&lanes::abs_slope>(x); }
+  /// Of what has one value where a <= b for sure and another where b <= a: both where neither is.
+  static GRAZE_BATCH_INLINE I of_lesser(const I& a, const I& b, const I& if_a, const I& if_b) {
+    return each<&lanes::of_lesser>(a, b, if_a, if_b);
+  }
+};
+
+} // namespace detail
+
 /// Each is the tightest enclosure of the range over the operands' members at which the function is
 /// defined, empty if there is none; but for powers and polynomials, whose bounds are off by the
 /// roundings of their multiplications.
-template <class Policies> struct operations<boost::numeric::interval<double, Policies>> {
+template <class Policies>
+struct operations<boost::numeric::interval<double, Policies>>
+    : detail::interval_operations<boost::numeric::interval<double, Policies>> {
   using interval = boost::numeric::interval<double, Policies>;
 
-  static interval number(const constant& c) { return interval(c.lo, c.hi); }
-  static interval div(const interval& x, const interval& y) { return x / y; }
-  static interval recip(const interval& x) { return interval(1.0) / x; }
   static interval sqrt(const interval& x) { return graze::sqrt(x); }
-  static interval abs(const interval& x) {
-    const bounds b = to_bounds(x);
-    if (b.is_empty())
-      return x;
-    return interval(std::max({0.0, b.lo, -b.hi}), std::max(-b.lo, b.hi));
-  }
-  static interval min(const interval& x, const interval& y) {
-    const bounds a = to_bounds(x), b = to_bounds(y);
-    if (a.is_empty() || b.is_empty())
-      return interval::empty();
-    return interval(std::min(a.lo, b.lo), std::min(a.hi, b.hi));
-  }
-  static interval max(const interval& x, const interval& y) {
-    const bounds a = to_bounds(x), b = to_bounds(y);
-    if (a.is_empty() || b.is_empty())
-      return interval::empty();
-    return interval(std::max(a.lo, b.lo), std::max(a.hi, b.hi));
-  }
   static interval pown(const interval& x, int n) {
     if (n > 2 && n <= most_multiplied)
       return multiplied_power(x, n);
@@ -179,57 +275,6 @@ template <class Policies> struct operations<boost::numeric::interval<double, Pol
   static interval name(const interval& x) { return apply<functions::name>(x); }
   GRAZE_TAPE_FUNCTIONS(GRAZE_TAPE_FUNCTION)
 #undef GRAZE_TAPE_FUNCTION
-
-  /// By its monotone pieces: the range runs between the values at x's ends and in the turns that x
-  /// meets.
-  static interval polynomial(const polynomial_view& p, const interval& x) {
-    const bounds at = to_bounds(x);
-    if (at.is_empty())
-      return x;
-    if (!at.is_common())
-      return interval::whole();
-    interval first = horner(p, interval(at.lo));
-    double lo = first.lower(), hi = first.upper();
-    if (at.lo != at.hi) {
-      const interval last = horner(p, interval(at.hi));
-      lo = std::min(lo, last.lower());
-      hi = std::max(hi, last.upper());
-      for (std::uint32_t i = 0; i < p.turn_count; ++i)
-        if (const turn& t = p.turns[i]; at.lo <= t.hi && t.lo <= at.hi) {
-          lo = std::min(lo, t.least);
-          hi = std::max(hi, t.greatest);
-        }
-    }
-    return interval(lo, hi, true);
-  }
-
-  // For derivatives.
-
-  /// A slope, or what is known of one that nothing is known of.
-  static interval known(const interval& slope) {
-    return to_bounds(slope).is_empty() ? interval::whole() : slope;
-  }
-  /// A slope that is known to be in [-1, 1].
-  static interval within_one(const interval& slope) {
-    const bounds b = to_bounds(slope);
-    return b.is_empty() ? interval(-1.0, 1.0)
-                        : interval(std::clamp(b.lo, -1.0, 1.0), std::clamp(b.hi, -1.0, 1.0));
-  }
-  /// The slopes of |x|.
-  static interval abs_slope(const interval& x) {
-    const bool up = x.lower() >= 0, down = x.upper() <= 0;
-    return interval(up && !down ? 1.0 : -1.0, down && !up ? -1.0 : 1.0);
-  }
-  /// Of what has one value where a <= b for sure and another where b <= a: both where neither is.
-  static interval of_lesser(const interval& a, const interval& b, const interval& if_a,
-                            const interval& if_b) {
-    if (a.upper() <= b.lower())
-      return if_a;
-    if (b.upper() <= a.lower())
-      return if_b;
-    return interval(std::min(if_a.lower(), if_b.lower()), std::max(if_a.upper(), if_b.upper()),
-                    true);
-  }
 };
 
 } // namespace graze::octree::tape

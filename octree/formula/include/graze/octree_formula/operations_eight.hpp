@@ -22,76 +22,14 @@ struct eight_bounds {
   }
 };
 
-/// The operations on the lanes of one register that interval8 lacks.
-template <class P> struct tape_lanes {
-  using vector = typename P::vector;
-  using mask = typename P::mask;
-  using part = batch::part<P>;
-
-  static GRAZE_BATCH_INLINE part lower_end(const part& x) { return {x.lo, x.lo}; }
-  static GRAZE_BATCH_INLINE part upper_end(const part& x) { return {x.hi, x.hi}; }
-  /// The range from the values at both ends; entire where x is unbounded, empty where it is empty.
-  static GRAZE_BATCH_INLINE part between(const part& x, const part& first, const part& last) {
-    const vector infinity = P::broadcast(checking::infinity);
-    const mask bounded = P::both(P::less(P::neg(infinity), x.lo), P::less(x.hi, infinity));
-    const vector lo = P::select(bounded, P::min_or_second(first.lo, last.lo), P::neg(infinity));
-    const vector hi = P::select(bounded, P::max_or_second(first.hi, last.hi), infinity);
-    const mask is_empty = P::either_nan(x.lo, x.hi);
-    return {P::select(is_empty, x.lo, lo), P::select(is_empty, x.lo, hi)};
-  }
-  /// r, with the values in a turn where x meets it.
-  static GRAZE_BATCH_INLINE part turned(const part& x, const part& r, const part& turn,
-                                        const part& values) {
-    const mask meets = P::both(P::less_equal(x.lo, turn.hi), P::less_equal(turn.lo, x.hi));
-    return {P::select(meets, P::min_or_second(r.lo, values.lo), r.lo),
-            P::select(meets, P::max_or_second(r.hi, values.hi), r.hi)};
-  }
-  static GRAZE_BATCH_INLINE part known(const part& slope) {
-    const mask is_empty = P::either_nan(slope.lo, slope.hi);
-    const vector infinity = P::broadcast(checking::infinity);
-    return {P::select(is_empty, P::neg(infinity), slope.lo),
-            P::select(is_empty, infinity, slope.hi)};
-  }
-  static GRAZE_BATCH_INLINE part within_one(const part& slope) {
-    const mask is_empty = P::either_nan(slope.lo, slope.hi);
-    const vector one = P::broadcast(1), minus = P::broadcast(-1);
-    return {P::select(is_empty, minus, P::min_or_second(P::max_or_second(slope.lo, minus), one)),
-            P::select(is_empty, one, P::min_or_second(P::max_or_second(slope.hi, minus), one))};
-  }
-  static GRAZE_BATCH_INLINE part abs_slope(const part& x) {
-    const vector zero = P::zero(), one = P::broadcast(1), minus = P::broadcast(-1);
-    const mask up = P::less_equal(zero, x.lo), down = P::less_equal(x.hi, zero);
-    return {P::select(up, P::select(down, minus, one), minus),
-            P::select(down, P::select(up, one, minus), one)};
-  }
-  static GRAZE_BATCH_INLINE part of_lesser(const part& a, const part& b, const part& if_a,
-                                           const part& if_b) {
-    const mask is_a = P::less_equal(a.hi, b.lo), is_b = P::less_equal(b.hi, a.lo);
-    const vector lo = P::min_or_second(if_b.lo, if_a.lo), hi = P::max_or_second(if_b.hi, if_a.hi);
-    return {P::select(is_a, if_a.lo, P::select(is_b, if_b.lo, lo)),
-            P::select(is_a, if_a.hi, P::select(is_b, if_b.hi, hi))};
-  }
-  static GRAZE_BATCH_INLINE part defined(const part& x) {
-    const mask is_empty = P::either_nan(x.lo, x.hi);
-    const vector one = P::broadcast(1);
-    return {P::select(is_empty, one, x.lo), P::select(is_empty, one, x.hi)};
-  }
-};
-
 } // namespace detail
 
-template <class Path> struct operations<interval8<Path>> {
+template <class Path>
+struct operations<interval8<Path>> : detail::interval_operations<interval8<Path>> {
   using I = interval8<Path>;
-  using lanes = detail::tape_lanes<Path>;
 
-  static GRAZE_BATCH_INLINE I number(const constant& c) { return I(c.lo, c.hi); }
-  static GRAZE_BATCH_INLINE I div(const I& x, const I& y) { return x / y; }
-  static GRAZE_BATCH_INLINE I recip(const I& x) { return I(1.0) / x; }
-  static GRAZE_BATCH_INLINE I sqrt(const I& x) { return root(x); }
-  static GRAZE_BATCH_INLINE I abs(const I& x) { return magnitude(x); }
-  static GRAZE_BATCH_INLINE I min(const I& x, const I& y) { return lesser(x, y); }
-  static GRAZE_BATCH_INLINE I max(const I& x, const I& y) {
-    return I::template lanewise<&batch::formulas<Path>::max>(x, y);
+  static GRAZE_BATCH_INLINE I sqrt(const I& x) {
+    return I::template lanewise<&batch::formulas<Path>::sqrt>(x);
   }
   static I pown(const I& x, int n) {
     if (n > 2 && n <= most_multiplied)
@@ -111,39 +49,7 @@ template <class Path> struct operations<interval8<Path>> {
   GRAZE_TAPE_FUNCTIONS(GRAZE_TAPE_FUNCTION)
 #undef GRAZE_TAPE_FUNCTION
 
-  static I polynomial(const polynomial_view& p, const I& x) {
-    const I first = horner(p, I::template lanewise<&lanes::lower_end>(x)),
-            last = horner(p, I::template lanewise<&lanes::upper_end>(x));
-    I r = I::template lanewise<&lanes::between>(x, first, last);
-    for (std::uint32_t i = 0; i < p.turn_count; ++i) {
-      const turn& t = p.turns[i];
-      r = I::template lanewise<&lanes::turned>(x, r, I(t.lo, t.hi), I(t.least, t.greatest));
-    }
-    return r;
-  }
-
-  static GRAZE_BATCH_INLINE I known(const I& slope) {
-    return I::template lanewise<&lanes::known>(slope);
-  }
-  static GRAZE_BATCH_INLINE I within_one(const I& slope) {
-    return I::template lanewise<&lanes::within_one>(slope);
-  }
-  static GRAZE_BATCH_INLINE I abs_slope(const I& x) {
-    return I::template lanewise<&lanes::abs_slope>(x);
-  }
-  static GRAZE_BATCH_INLINE I of_lesser(const I& a, const I& b, const I& if_a, const I& if_b) {
-    return I::template lanewise<&lanes::of_lesser>(a, b, if_a, if_b);
-  }
-
 private:
-  // interval8's own, found by their operands, which the members' names hide
-  static GRAZE_BATCH_INLINE I root(const I& x) {
-    return I::template lanewise<&batch::formulas<Path>::sqrt>(x);
-  }
-  static GRAZE_BATCH_INLINE I magnitude(const I& x) {
-    return I::template lanewise<&batch::formulas<Path>::abs>(x);
-  }
-
   template <class Function> static I by_lane(const I& x, Function f) {
     detail::eight_bounds b(x);
     detail::eight_bounds r(x);
