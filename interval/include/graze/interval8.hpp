@@ -7,6 +7,8 @@
 ///   auto value = formula(interval8<batch::avx2>::load(lo, hi), ...);
 /// A file for each path, chosen by batch::path_in_use() (graze/batch.hpp). Without a path of one's
 /// own, the span functions of graze/batch.hpp choose one.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/batch.hpp> // before `baseline` below, which g++ would see its enumerator shadow
 #include <graze/batch/formulas.hpp>
 #include <utility>

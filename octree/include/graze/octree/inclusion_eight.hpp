@@ -1,6 +1,8 @@
 #pragma once
 /// What intervals prove about a surface in the eight children of an octant, in the lanes of a path:
 /// the verdicts of inclusion.hpp in each.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/dual.hpp>
 #include <graze/octree/eight.hpp>
 #include <graze/octree/octet.hpp>
@@ -83,8 +85,8 @@ template <class Path> GRAZE_BATCH_INLINE unsigned excludes_zero(const interval8<
 }
 
 /// has_no_zero of inclusion.hpp in each of `wanted`'s lanes (a bit of the others has no meaning):
-/// by the natural extension and, for a surface of which that does not suffice, by the mean value form
-/// where it leaves a wanted lane open. Domain: boxes that are not empty in the wanted lanes.
+/// by the natural extension and, for a surface of which that does not suffice, by the mean value
+/// form where it leaves a wanted lane open. Domain: boxes that are not empty in the wanted lanes.
 template <class Path, class F>
 GRAZE_BATCH_INLINE unsigned have_no_zero(const F& f, const eight_boxes<Path>& b, unsigned wanted) {
   using I = interval8<Path>;
