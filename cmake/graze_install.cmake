@@ -1,6 +1,6 @@
-# The package: find_package(graze) gives graze::interval and graze::octree.
+# The package: find_package(graze) gives graze::interval, graze::boost_rounding and graze::octree.
 include(CMakePackageConfigHelpers)
-install(TARGETS graze_interval graze_octree graze_core_math EXPORT graze_targets)
+install(TARGETS graze_interval graze_boost_rounding graze_octree graze_core_math EXPORT graze_targets)
 if(TARGET graze_crlibm)
   install(TARGETS graze_crlibm EXPORT graze_targets)
 endif()

@@ -2,8 +2,10 @@
 #include <cstring>
 #include <graze/boolean.hpp>
 #include <graze/decorated_functions.hpp>
+#include <graze/functions/remainder.hpp>
 #include <graze/graze.h>
 #include <graze/numeric.hpp>
+#include <graze/overlap.hpp>
 #include <graze/reductions.hpp>
 #include <graze/text.hpp>
 
@@ -61,6 +63,7 @@ GRAZE_C_TERNARY(fma)
 GRAZE_C_UNARY(abs)
 GRAZE_C_BINARY(min)
 GRAZE_C_BINARY(max)
+GRAZE_C_BINARY(fmod)
 GRAZE_C_UNARY(sign)
 GRAZE_C_UNARY(ceil)
 GRAZE_C_UNARY(floor)

@@ -1,6 +1,7 @@
 // The decorated type: decorations travel, NaI stays, and every function of the list takes it.
 #include <catch2/catch.hpp>
 #include <graze/decorated.hpp>
+#include <graze/overlap.hpp>
 #include <graze/rounding/upward.hpp>
 #include <limits>
 

@@ -5,6 +5,7 @@
 #include <graze/functions/arithmetic.hpp>
 #include <graze/functions/sets.hpp>
 #include <graze/oracle/hard_boxes.hpp>
+#include <graze/overlap.hpp>
 
 using graze::bounds;
 using graze::oracle::hard_boxes;

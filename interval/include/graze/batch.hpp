@@ -14,6 +14,8 @@
 /// The caller's rounding mode, FTZ, DAZ, exception masks and flags do not matter and are as before
 /// afterwards: each call sets MXCSR and restores it. Any thread. A result may be an operand's own
 /// arrays; arrays that overlap otherwise are a programming error, as are unequal sizes.
+#include <graze/needs_cxx20.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <graze/bounds.hpp>

@@ -1,9 +1,10 @@
 #pragma once
 /// Comparisons and tests of IEEE 1788.1 (10.5.9, 10.5.10, 10.6.3), for bounds, intervals and
 /// decorated intervals. All are exact. A decorated one with a NaI is false (is_nai apart).
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/bounds.hpp>
 #include <graze/decorated_bounds.hpp>
-#include <graze/overlap.hpp>
 
 namespace graze {
 

@@ -1,7 +1,9 @@
 #pragma once
 /// The bounds of a closed set of real numbers, without policies: what the compiled functions take
 /// and give, and what other languages see.
-#include <graze/interval.hpp>
+#include <graze/needs_cxx20.hpp>
+
+#include <graze/interval_type.hpp>
 #include <limits>
 
 namespace graze {

@@ -1,5 +1,7 @@
 #pragma once
 /// Constructors of IEEE 1788.1. Nothing throws: the standard's exceptions are told with the value.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/decorated_bounds.hpp>
 
 namespace graze {

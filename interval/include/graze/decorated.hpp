@@ -1,6 +1,8 @@
 #pragma once
 /// graze::decorated<Backend>: an interval with its decoration, and every function of IEEE 1788.1 on
 /// it. What a decoration promises is in graze/decoration.hpp.
+#include <graze/needs_cxx20.hpp>
+
 #include <concepts>
 #include <graze/boolean.hpp>
 #include <graze/construct.hpp>

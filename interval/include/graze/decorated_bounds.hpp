@@ -1,6 +1,8 @@
 #pragma once
 /// Bounds with a decoration (IEEE 1788-2015, clause 11), without policies: what compiled functions
 /// take and give. graze::decorated<Backend> (decorated.hpp) is the type for users' code.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/bounds.hpp>
 #include <graze/decoration.hpp>
 

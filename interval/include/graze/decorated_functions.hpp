@@ -1,5 +1,7 @@
 #pragma once
 /// The one list of functions: a new family is one include and one line.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/functions/arithmetic.hpp>
 #include <graze/functions/exponential.hpp>
 #include <graze/functions/hyperbolic.hpp>

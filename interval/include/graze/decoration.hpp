@@ -1,5 +1,7 @@
 #pragma once
 /// Decorations of IEEE 1788-2015, clause 11: what is known of how a result came to be.
+#include <graze/needs_cxx20.hpp>
+
 #include <cstdint>
 
 namespace graze {

@@ -1,5 +1,7 @@
 #pragma once
 /// graze::expected<T>: a value, or the one-line reason why there is none.
+#include <graze/needs_cxx20.hpp>
+
 #include <cassert>
 #include <optional>
 #include <string>

@@ -37,6 +37,7 @@ graze_interval graze_fma(graze_interval x, graze_interval y, graze_interval z);
 graze_interval graze_abs(graze_interval x);
 graze_interval graze_min(graze_interval x, graze_interval y);
 graze_interval graze_max(graze_interval x, graze_interval y);
+graze_interval graze_fmod(graze_interval x, graze_interval y); /* C's fmod; not in the standard */
 graze_interval graze_sign(graze_interval x);
 graze_interval graze_ceil(graze_interval x);
 graze_interval graze_floor(graze_interval x);

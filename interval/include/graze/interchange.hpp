@@ -2,6 +2,8 @@
 /// The interchange representation of IEEE 1788.1, 7.3 (IEEE 1788-2015, 14.4): the bytes of inf and
 /// sup, and the decoration's octet. Exact both ways; the same bytes on every machine for the same
 /// byte order.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>

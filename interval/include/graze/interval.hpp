@@ -1,203 +1,30 @@
 #pragma once
-/// graze::interval<Backend>: Boost's interval type with bounds that hold. Every operation here, and
-/// those of Boost.Interval that it lists, gives the tightest enclosure of the range over the
-/// operands' real members: 0 ulp per endpoint.
-#include <algorithm>
-#include <boost/numeric/interval/arith.hpp>
-#include <boost/numeric/interval/arith2.hpp>
-#include <boost/numeric/interval/utility.hpp>
-#include <graze/policies.hpp>
-#include <graze/rounding/nearest.hpp>
+/// Intervals with bounds that hold: graze::interval<Backend>, its arithmetic, comparisons, text,
+/// and every function of IEEE 1788.1 (but for `overlap`, which is another function in
+/// Boost.Interval: graze/overlap.hpp).
+#include <graze/needs_cxx20.hpp>
 
-#if defined(__x86_64__)
-#include <graze/packed_interval.hpp>
+#include <graze/boolean.hpp>
+#include <graze/functions/arithmetic.hpp>
+#include <graze/functions/exponential.hpp>
+#include <graze/functions/hyperbolic.hpp>
+#include <graze/functions/integer_power.hpp>
+#include <graze/functions/power.hpp>
+#include <graze/functions/reciprocal_hyperbolic.hpp>
+#include <graze/functions/reciprocal_trigonometric.hpp>
+#include <graze/functions/reverse.hpp>
+#include <graze/functions/sets.hpp>
+#include <graze/functions/trigonometric.hpp>
+#include <graze/interval_type.hpp>
+#include <graze/numeric.hpp>
+#include <graze/text.hpp>
+#include <version>
+#if defined(__cpp_lib_format)
+#include <graze/format.hpp>
 #endif
 
 namespace graze {
-
-namespace detail {
-template <class B> struct interval_policies {
-  using type = policies<B>;
-};
-#if defined(__x86_64__)
-template <class B>
-  requires PackedPolicies<policies<B>>
-struct interval_policies<B> {
-  using type = outward_policies<B>;
-};
-#endif
-} // namespace detail
-
-/// With the default backend every operation may be inlined anywhere and sets no mode. The others
-/// set and restore their mode in every operation; see `unprotected`. Boost's class with
-/// policies<B>, or with outward_policies<B> where B has instructions on pairs.
-template <rounding::Backend B = rounding::nearest>
-using interval = boost::numeric::interval<double, typename detail::interval_policies<B>::type>;
-
-/// For inner loops: the operations assume that the caller holds a `typename B::scope`.
-template <rounding::Backend B> using unprotected = interval<rounding::held<B>>;
-
-// Found beside the overloads below whether called by name or by argument. Tightest as they are:
-// -x, x + y, x - y, x * y, sqrt, square, abs, min, max of intervals.
-using boost::numeric::abs;
-using boost::numeric::empty;
-using boost::numeric::hull;
-using boost::numeric::intersect;
-using boost::numeric::max;
-using boost::numeric::min;
-using boost::numeric::sqrt;
-using boost::numeric::square;
-using boost::numeric::subset;
-using boost::numeric::width;
-
-template <Policies P> using interval_of = boost::numeric::interval<double, P>;
-
-// Sums need no test for empty operands, which Boost's own make: a NaN reaches a bound, and where
-// infinities of the empty [inf, inf] go, no non-empty set comes out.
-template <Policies P> interval_of<P> operator+(const interval_of<P>& x, const interval_of<P>& y) {
-  [[maybe_unused]] typename P::rounding rnd;
-  return interval_of<P>(rnd.add_down(x.lower(), y.lower()), rnd.add_up(x.upper(), y.upper()), true);
-}
-template <Policies P> interval_of<P> operator-(const interval_of<P>& x, const interval_of<P>& y) {
-  [[maybe_unused]] typename P::rounding rnd;
-  return interval_of<P>(rnd.sub_down(x.lower(), y.upper()), rnd.sub_up(x.upper(), y.lower()), true);
-}
-
-// Mixed operations: a number stands for the interval that holds it alone, so that NaN and
-// infinities, which are no real numbers, give the empty set. (Boost multiplies by infinity as if it
-// were a number: inf * [-1, 1] would be entire, inf * [0, 1] a NaN.)
-template <Policies P> interval_of<P> operator+(const interval_of<P>& x, const double& y) {
-  return x + interval_of<P>(y);
-}
-template <Policies P> interval_of<P> operator+(const double& x, const interval_of<P>& y) {
-  return interval_of<P>(x) + y;
-}
-template <Policies P> interval_of<P> operator-(const interval_of<P>& x, const double& y) {
-  return x - interval_of<P>(y);
-}
-template <Policies P> interval_of<P> operator-(const double& x, const interval_of<P>& y) {
-  return interval_of<P>(x) - y;
-}
-template <Policies P> interval_of<P> operator*(const double& x, const interval_of<P>& y) {
-  using I = interval_of<P>;
-  if (empty(y) || empty(I(x)))
-    return I::empty();
-  typename P::rounding rnd;
-  if (x < 0)
-    return I(rnd.mul_down(x, y.upper()), rnd.mul_up(x, y.lower()), true);
-  if (x == 0)
-    return I(0.0, 0.0, true);
-  return I(rnd.mul_down(x, y.lower()), rnd.mul_up(x, y.upper()), true);
-}
-template <Policies P> interval_of<P> operator*(const interval_of<P>& x, const double& y) {
-  return y * x;
-}
-
-namespace detail {
-/// Encloses { a / b : a in x, b in y, b != 0 }; empty for y = [0, 0]. Where y reaches 0 from one
-/// side and x ends at 0, Boost's own operator gives entire: [-1, 0] / [0, 1] is [-inf, 0].
-template <Policies P> interval_of<P> divide(const interval_of<P>& x, const interval_of<P>& y) {
-  using I = interval_of<P>;
-  if (empty(x) || empty(y))
-    return I::empty();
-  const double a = x.lower(), b = x.upper(), c = y.lower(), d = y.upper();
-  if (c == 0 && d == 0)
-    return I::empty();
-  if (a == 0 && b == 0)
-    return I(0.0, 0.0, true);
-  if (c < 0 && 0 < d)
-    return I::whole();
-  typename P::rounding rnd;
-  constexpr double infinity = checking::infinity;
-  if (c >= 0) { // y within [0, inf]
-    if (a >= 0)
-      return I(rnd.div_down(a, d), c == 0 ? infinity : rnd.div_up(b, c), true);
-    if (b <= 0)
-      return I(c == 0 ? -infinity : rnd.div_down(a, c), rnd.div_up(b, d), true);
-    return c == 0 ? I::whole() : I(rnd.div_down(a, c), rnd.div_up(b, c), true);
-  }
-  if (a >= 0)
-    return I(d == 0 ? -infinity : rnd.div_down(b, d), rnd.div_up(a, c), true);
-  if (b <= 0)
-    return I(rnd.div_down(b, c), d == 0 ? infinity : rnd.div_up(a, d), true);
-  return d == 0 ? I::whole() : I(rnd.div_down(b, d), rnd.div_up(a, d), true);
-}
-} // namespace detail
-
-template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const interval_of<P>& y) {
-  return detail::divide(x, y);
-}
-template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const double& y) {
-  return x / interval_of<P>(y);
-}
-template <Policies P> interval_of<P> operator/(const double& x, const interval_of<P>& y) {
-  return interval_of<P>(x) / y;
-}
-
-// Comparisons say what is certain: true iff it holds for every pair of members (hence for an empty
-// operand). Not x < y does not mean x >= y. Equality is that of sets. Boost's own throw when
-// unsure.
-template <Policies P> bool operator<(const interval_of<P>& x, const interval_of<P>& y) {
-  return empty(x) || empty(y) || x.upper() < y.lower();
-}
-template <Policies P> bool operator<=(const interval_of<P>& x, const interval_of<P>& y) {
-  return empty(x) || empty(y) || x.upper() <= y.lower();
-}
-template <Policies P> bool operator>(const interval_of<P>& x, const interval_of<P>& y) {
-  return y < x;
-}
-template <Policies P> bool operator>=(const interval_of<P>& x, const interval_of<P>& y) {
-  return y <= x;
-}
-template <Policies P> bool operator==(const interval_of<P>& x, const interval_of<P>& y) {
-  return empty(x) || empty(y) ? empty(x) && empty(y)
-                              : x.lower() == y.lower() && x.upper() == y.upper();
-}
-template <Policies P> bool operator!=(const interval_of<P>& x, const interval_of<P>& y) {
-  return !(x == y);
-}
-template <Policies P> bool operator<(const interval_of<P>& x, const double& y) {
-  return x < interval_of<P>(y);
-}
-template <Policies P> bool operator<=(const interval_of<P>& x, const double& y) {
-  return x <= interval_of<P>(y);
-}
-template <Policies P> bool operator>(const interval_of<P>& x, const double& y) {
-  return x > interval_of<P>(y);
-}
-template <Policies P> bool operator>=(const interval_of<P>& x, const double& y) {
-  return x >= interval_of<P>(y);
-}
-template <Policies P> bool operator==(const interval_of<P>& x, const double& y) {
-  return x == interval_of<P>(y);
-}
-template <Policies P> bool operator!=(const interval_of<P>& x, const double& y) {
-  return x != interval_of<P>(y);
-}
-
-/// x^2: for an interval the tightest enclosure of { t^2 : t in x }, for a double x * x. One formula
-/// serves both.
-template <Policies P> interval_of<P> sqr(const interval_of<P>& x) { return square(x); }
-constexpr double sqr(double x) { return x * x; }
-
-/// The least double >= upper - lower; NaN for the empty set.
-template <Policies P> double width(const interval_of<P>& x) {
-  if (empty(x))
-    return checking::nan();
-  typename P::rounding rnd;
-  return rnd.sub_up(x.upper(), x.lower());
-}
-/// max { |t| : t in x }, exact, never -0; NaN for the empty set.
-template <Policies P> double mag(const interval_of<P>& x) {
-  return empty(x) ? checking::nan() : std::max({0.0, -x.lower(), x.upper()});
-}
-/// A finite double in x, near the middle; NaN for the empty set.
-template <Policies P> double mid(const interval_of<P>& x) {
-  return empty(x) ? checking::nan() : P::rounding::median(x.lower(), x.upper());
-}
-
+// graze::pow(x, 7) and graze::pow(x, 2.5) beside the power of two intervals
+using boost::numeric::fmod;
+using boost::numeric::pow;
 } // namespace graze
-
-#if defined(__x86_64__)
-#include <graze/packed_arithmetic.hpp>
-#endif

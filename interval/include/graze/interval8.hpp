@@ -5,7 +5,10 @@
 ///   // compiled once for each path (graze/batch/per_path.hpp)
 ///   const batch::this_path::scope scope;
 ///   auto value = formula(interval8<batch::this_path>::load(lo, hi), ...);
-/// and chosen by batch::path_in_use() (graze/batch.hpp). Without a path of one's own, the span functions of graze/batch.hpp choose one.
+/// and chosen by batch::path_in_use() (graze/batch.hpp). Without a path of one's own, the span
+/// functions of graze/batch.hpp choose one.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/batch.hpp> // before `baseline` below, which g++ would see its enumerator shadow
 #include <graze/batch/formulas.hpp>
 #include <utility>

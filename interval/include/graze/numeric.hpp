@@ -2,6 +2,8 @@
 /// Numbers that describe an interval: inf sup mid rad mid_rad wid mag mig of IEEE 1788.1, for
 /// bounds, intervals and decorated intervals. Of the empty set (inf and sup apart) and of NaI they
 /// are NaN. Inlined anywhere; the mode in force must be to-nearest.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <graze/bounds.hpp>
 #include <graze/decorated_bounds.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 /// How two intervals lie to each other: the 16 states of IEEE 1788-2015, 10.6.4.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/bounds.hpp>
 #include <graze/decorated_bounds.hpp>
 

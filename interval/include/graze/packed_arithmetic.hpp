@@ -5,6 +5,8 @@
 /// coin toss to a processor; the rest goes to those operators.
 ///
 /// In here an interval [a, b] is the pair (-a, b). A zero bound is of either sign.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/packed_interval.hpp>
 
 namespace graze {

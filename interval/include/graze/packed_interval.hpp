@@ -6,6 +6,8 @@
 /// are values, not references into the object. `const double& l = std::max(x.lower(), y.lower())`
 /// would dangle. Code written for Boost's class may do so (its own `intersect` does), and thus
 /// policies<B> keeps Boost's layout, and outward_policies<B> has this one.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <boost/numeric/interval/utility.hpp>
 #include <graze/policies.hpp>
@@ -43,7 +45,7 @@ public:
   interval(const double& v) : outward{-v, v} {}
   /// The tightest interval of doubles that holds v.
   template <class Number>
-    requires std::is_arithmetic_v<Number>
+    requires graze::detail::is_number<Number>
   interval(const Number& v) : interval(from(v, v)) {}
   /// Bounds in the wrong order and NaN give the empty set.
   interval(const double& l, const double& u) : interval(l, u, true) {
@@ -107,6 +109,10 @@ private:
 };
 
 namespace boost::numeric {
+
+// Boost's own give references to bounds.
+template <graze::OutwardPolicies P> double lower(const interval<double, P>& x) { return x.lower(); }
+template <graze::OutwardPolicies P> double upper(const interval<double, P>& x) { return x.upper(); }
 
 /// The common members. Boost's own keeps references to bounds.
 template <graze::OutwardPolicies P>

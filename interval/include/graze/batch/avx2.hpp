@@ -1,5 +1,7 @@
 #pragma once
 /// AVX2 and FMA: four lanes, rounding upward by the mode in force (scope).
+#include <graze/needs_cxx20.hpp>
+
 #if !defined(__AVX2__) || !defined(__FMA__)
 #error "graze: this path is for a file compiled with -mavx2 -mfma"
 #endif

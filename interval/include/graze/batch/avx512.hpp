@@ -1,6 +1,8 @@
 #pragma once
 /// AVX-512: eight lanes, and the direction of rounding is in the instruction. No mode but FTZ and
 /// DAZ off.
+#include <graze/needs_cxx20.hpp>
+
 #if !defined(__AVX512F__) || !defined(__AVX512DQ__)
 #error "graze: this path is for a file compiled with -mavx512f -mavx512dq"
 #endif

@@ -5,6 +5,8 @@
 ///
 /// Operands are valid: both ends NaN, or lo <= hi, lo < inf, hi > -inf. (What comes of others is
 /// not specified.)
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/batch/path.hpp>
 
 namespace graze::batch {

@@ -18,6 +18,8 @@
 ///
 /// Everything is always_inline: a function compiled for AVX that were emitted out of line could be
 /// chosen by the linker for a caller on a machine without AVX.
+#include <graze/needs_cxx20.hpp>
+
 #include <cstddef>
 #include <graze/rounding/backend.hpp>
 

@@ -11,6 +11,8 @@
 ///   GRAZE_DECLARE_ON_PATHS(table, kernels);
 ///   // who chooses
 ///   const table& k = GRAZE_ALL_PATHS(table, kernels).on(batch::path_in_use());
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/batch.hpp>
 
 namespace graze::batch {

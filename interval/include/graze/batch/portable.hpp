@@ -1,6 +1,8 @@
 #pragma once
 /// One lane on any machine, by the backend `nearest`: the baseline where there is no SSE2, and the
 /// plainest reading of what a path is.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/batch/path.hpp>
 #include <graze/rounding/fused.hpp>
 #include <graze/rounding/nearest.hpp>

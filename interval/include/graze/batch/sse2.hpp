@@ -1,5 +1,7 @@
 #pragma once
 /// SSE2, which every x86-64 has: two lanes, rounding upward by the mode in force (scope).
+#include <graze/needs_cxx20.hpp>
+
 #if !defined(__x86_64__)
 #error "graze: this path is for x86-64"
 #endif

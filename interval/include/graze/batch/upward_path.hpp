@@ -1,6 +1,8 @@
 #pragma once
 /// A path from registers whose arithmetic rounds in the mode in force, which is set to upward:
 /// lower bounds by negation, RD(t) = -RU(-t), as in the backend `upward`.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/batch/path.hpp>
 
 namespace graze::batch {

@@ -13,6 +13,8 @@
 ///                                            constant, hence dac, but jumps at 1, hence not com.)
 /// defined in interval/src, compiled with Graze's own flags whatever those of the user. Parameters
 /// other than bounds (an integer exponent) are passed through.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <concepts>
 #include <graze/bounds.hpp>

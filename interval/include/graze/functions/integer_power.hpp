@@ -12,6 +12,8 @@
 /// |             | 0            | empty     | empty     |
 ///
 /// Source: graze/point_rare.hpp at the endpoints.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/functions/apply.hpp>
 
 namespace graze {

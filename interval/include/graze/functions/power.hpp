@@ -2,6 +2,8 @@
 /// Cube root, length of a vector, and the real power of intervals. Each is the tightest enclosure,
 /// 0 ulp per endpoint, of its range over the members of the operands that are in its domain; empty
 /// if there is none. Source: CORE-MATH (see graze/point.hpp).
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/functions/apply.hpp>
 
 namespace graze {

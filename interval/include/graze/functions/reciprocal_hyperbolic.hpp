@@ -9,6 +9,8 @@
 /// | acoth    | |x| > 1   | R \ { 0 }            | decreasing on each side           |
 ///
 /// Source: graze/point_rare.hpp at the endpoints.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/functions/apply.hpp>
 
 namespace graze {

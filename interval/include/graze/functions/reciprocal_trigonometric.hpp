@@ -10,6 +10,8 @@
 ///
 /// Source: graze/point_rare.hpp at the endpoints; poles and extrema from the endpoints' quadrants,
 /// which are exact, since 0 is the only double that is a multiple of pi/2.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/functions/apply.hpp>
 
 namespace graze {

@@ -20,6 +20,8 @@
 /// | pow_rev2(a, c, x)         | u^t in c for a u in a, u > 0 or u = 0 < t     | trv        |
 ///
 /// A reverse operation tells nothing of where f is defined or continuous, hence trv.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/functions/apply.hpp>
 #include <utility>
 

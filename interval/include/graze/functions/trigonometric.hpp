@@ -2,6 +2,8 @@
 /// Trigonometric functions of intervals and their inverses, in radians, for arguments of any size.
 /// Each is the tightest enclosure, 0 ulp per endpoint, of its range over the members of x that are
 /// in its domain; empty if there is none. Source: CORE-MATH or CRlibm (see graze/point.hpp).
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/functions/apply.hpp>
 
 namespace graze {

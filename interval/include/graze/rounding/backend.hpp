@@ -1,6 +1,9 @@
 #pragma once
 /// What a backend of directed rounding is.
+#include <graze/rounding/standard.hpp>
+#if __cplusplus > 201703L
 #include <concepts>
+#endif
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||     \
     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -15,6 +18,7 @@ namespace graze::rounding {
 /// tests use a tiny float. `scope` sets the modes that the operations need and restores, at its
 /// end, exactly what it found; the operations may be called only while a scope of the same backend
 /// lives.
+#if __cplusplus > 201703L
 template <class B>
 concept Backend = requires(typename B::number x) {
   typename B::scope;
@@ -30,5 +34,6 @@ concept Backend = requires(typename B::number x) {
   { B::sqrt_down(x) } -> std::same_as<typename B::number>;
   { B::sqrt_up(x) } -> std::same_as<typename B::number>;
 };
+#endif
 
 } // namespace graze::rounding

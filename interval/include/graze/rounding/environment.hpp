@@ -1,6 +1,8 @@
 #pragma once
 /// Is the thread's floating-point environment one in which bounds hold? For entry points: they
 /// refuse to run where it is not.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/expected.hpp>
 #include <graze/rounding/hardware.hpp>
 #include <optional>

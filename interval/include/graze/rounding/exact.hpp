@@ -1,8 +1,8 @@
 #pragma once
 /// Directed rounding in integers: every finite input, no floating-point instruction, constexpr. It
 /// serves `nearest` where the error of a rounded result is not itself a double.
-#include <bit>
 #include <cstdint>
+#include <graze/rounding/standard.hpp>
 #include <limits>
 
 namespace graze::rounding::exact {
@@ -20,27 +20,26 @@ struct magnitude {
 inline constexpr std::uint64_t sign_bit = 0x8000000000000000;
 inline constexpr std::uint64_t hidden_bit = 0x0010000000000000; // 2^52
 
-constexpr bool negative(double x) { return (std::bit_cast<std::uint64_t>(x) & sign_bit) != 0; }
+constexpr bool negative(double x) { return (bit_cast<std::uint64_t>(x) & sign_bit) != 0; }
 constexpr bool finite(double x) {
-  return (std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000) != 0x7ff0000000000000;
+  return (bit_cast<std::uint64_t>(x) & 0x7ff0000000000000) != 0x7ff0000000000000;
 }
 constexpr double zero(bool is_negative) {
-  return std::bit_cast<double>(is_negative ? sign_bit : std::uint64_t{0});
+  return bit_cast<double>(is_negative ? sign_bit : std::uint64_t{0});
 }
 
 constexpr magnitude take_apart(double x) {
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x) & ~sign_bit;
+  const std::uint64_t bits = bit_cast<std::uint64_t>(x) & ~sign_bit;
   const int field = static_cast<int>(bits >> 52);
   if (field != 0)
     return {(bits & (hidden_bit - 1)) | hidden_bit, field - 1075};
-  const int shift = std::countl_zero(bits) - 11;
+  const int shift = leading_zeros(bits) - 11;
   return {bits << shift, -1074 - shift};
 }
 
 constexpr int bit_length(uint128 n) {
   const auto high = static_cast<std::uint64_t>(n >> 64);
-  return high != 0 ? 128 - std::countl_zero(high)
-                   : 64 - std::countl_zero(static_cast<std::uint64_t>(n));
+  return high != 0 ? 128 - leading_zeros(high) : 64 - leading_zeros(static_cast<std::uint64_t>(n));
 }
 
 /// Rounds +-(n + f) * 2^exponent, where n > 0, 0 < f < 1 if `more` and f = 0 if not. If `more`, n
@@ -66,11 +65,11 @@ constexpr double round(bool is_negative, uint128 n, int exponent, bool more, dir
   }
   const std::uint64_t sign = is_negative ? sign_bit : 0;
   if (kept >= hidden_bit && quantum > 971) // 2^971 is the last bit of the largest double
-    return std::bit_cast<double>(sign | (away ? 0x7ff0000000000000 : 0x7fefffffffffffff));
+    return bit_cast<double>(sign | (away ? 0x7ff0000000000000 : 0x7fefffffffffffff));
   // below 2^52, kept is the significand of a subnormal double; the hidden bit adds 1 to the field
   const std::uint64_t field =
       kept >= hidden_bit ? static_cast<std::uint64_t>(quantum + 1074) << 52 : 0;
-  return std::bit_cast<double>(sign | (field + kept));
+  return bit_cast<double>(sign | (field + kept));
 }
 
 /// x + y rounded towards d. NaN and infinite operands as IEEE 754 has it.

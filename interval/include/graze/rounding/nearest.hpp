@@ -1,7 +1,6 @@
 #pragma once
 /// `nearest`: round to nearest, then the sign of the exact error tells which neighbour is the
 /// bound. It needs no mode but the one that every program starts in, so it may be inlined anywhere.
-#include <bit>
 #include <cstdint>
 #include <graze/rounding/exact.hpp>
 #include <graze/rounding/hardware.hpp>
@@ -9,7 +8,6 @@
 #include <graze/rounding/packed_nearest.hpp>
 #endif
 #include <limits>
-#include <type_traits>
 
 namespace graze::rounding {
 
@@ -32,7 +30,7 @@ struct nearest {
 
   static constexpr double add_up(double x, double y) {
     GRAZE_IN_ORDER_WRITTEN
-    if (std::is_constant_evaluated())
+    if (__builtin_is_constant_evaluated())
       return exact::add(x, y, exact::direction::up);
     hardware::pin(x), hardware::pin(y);
     double sum = x + y;
@@ -49,7 +47,7 @@ struct nearest {
   }
 
   static constexpr double mul_up(double x, double y) {
-    if (std::is_constant_evaluated())
+    if (__builtin_is_constant_evaluated())
       return exact::mul(x, y, exact::direction::up);
     hardware::pin(x), hardware::pin(y);
     double product = x * y;
@@ -81,7 +79,7 @@ struct nearest {
   }
 
   static constexpr double div_up(double x, double y) {
-    if (std::is_constant_evaluated())
+    if (__builtin_is_constant_evaluated())
       return exact::div(x, y, exact::direction::up);
     hardware::pin(x), hardware::pin(y);
     double quotient = x / y;
@@ -121,7 +119,7 @@ struct nearest {
     const int error = sqrt_error(x, root);
     // a root with an error is positive and normal: its predecessor is one less as an integer
     if (error < 0)
-      root = std::bit_cast<double>(std::bit_cast<std::int64_t>(root) - 1);
+      root = bit_cast<double>(bit_cast<std::int64_t>(root) - 1);
     hardware::pin(root);
     return root;
   }
@@ -138,18 +136,18 @@ private:
   /// not occur (rounding to zero keeps the sign, and what exceeds -0 is negative).
   /// Without a branch: the sign of an error is a coin toss.
   static constexpr double up_if(bool inexact, double x) {
-    const auto bits = std::bit_cast<std::int64_t>(x);
-    return std::bit_cast<double>(bits + (-std::int64_t{inexact} & (bits >> 63 | 1)));
+    const auto bits = bit_cast<std::int64_t>(x);
+    return bit_cast<double>(bits + (-std::int64_t{inexact} & (bits >> 63 | 1)));
   }
   static constexpr double magnitude_of(double x) { return __builtin_fabs(x); }
 
   /// A double as integers; significand and field mean something for normal numbers only.
   struct parts {
-    std::uint64_t significand;
-    int field; ///< biased exponent: |x| = significand * 2^(field - 1075)
-    bool is_negative;
+    std::uint64_t significand = 0;
+    int field = 0; ///< biased exponent: |x| = significand * 2^(field - 1075)
+    bool is_negative = false;
     constexpr parts(double x) {
-      const auto bits = std::bit_cast<std::uint64_t>(x);
+      const auto bits = bit_cast<std::uint64_t>(x);
       significand = (bits & (exact::hidden_bit - 1)) | exact::hidden_bit;
       field = static_cast<int>(bits >> 52 & 0x7ff);
       is_negative = exact::negative(x);
@@ -195,7 +193,9 @@ private:
   }
 };
 
+#if __cplusplus > 201703L
 static_assert(Backend<nearest>);
+#endif
 static_assert(nearest::add_up(0.1, 0.2) == 0x1.3333333333334p-2 &&
               nearest::add_down(0.1, 0.2) == 0x1.3333333333333p-2);
 

@@ -95,6 +95,8 @@ struct split {
 #undef GRAZE_X87_CLOBBERS
 };
 
+#if __cplusplus > 201703L
 static_assert(Backend<split>);
+#endif
 
 } // namespace graze::rounding

@@ -34,6 +34,8 @@ private:
   }
 };
 
+#if __cplusplus > 201703L
 static_assert(Backend<switching>);
+#endif
 
 } // namespace graze::rounding

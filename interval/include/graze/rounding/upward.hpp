@@ -1,6 +1,5 @@
 #pragma once
 /// `upward`: one rounding mode (towards +inf); lower bounds by negation.
-#include <bit>
 #include <cstdint>
 #include <graze/rounding/hardware.hpp>
 #if defined(__x86_64__)
@@ -46,10 +45,12 @@ struct upward {
     const double s = sqrt_up(x);
     if (!(mul_up(s, s) > x))
       return s;
-    return std::bit_cast<double>(std::bit_cast<std::int64_t>(s) - 1);
+    return bit_cast<double>(bit_cast<std::int64_t>(s) - 1);
   }
 };
 
+#if __cplusplus > 201703L
 static_assert(Backend<upward>);
+#endif
 
 } // namespace graze::rounding

@@ -1,5 +1,7 @@
 #pragma once
 /// A surface along a ray: g(t) = f(o + t d), a function of one variable.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -14,6 +14,8 @@
 /// holds it. With that, opposite signs at two points mean a zero on the segment between them, and
 /// in every box that has both: a segment without the origin is one on which f is continuous, and
 /// one with it has the origin's zero. Derivatives are not bounded where a box holds the origin.
+#include <graze/needs_cxx20.hpp>
+
 #include <cmath>
 #include <graze/octree/dual.hpp>
 #include <graze/octree/surfaces.hpp>

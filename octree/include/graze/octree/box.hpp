@@ -1,6 +1,8 @@
 #pragma once
 /// Axis-parallel boxes: the domain in which a surface is looked at, and octants cut by it.
 /// What kernels of a path use is always inlined: see batch/path.hpp.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <graze/octree/cube.hpp>

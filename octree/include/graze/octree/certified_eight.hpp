@@ -1,5 +1,7 @@
 #pragma once
 /// Certified first hits with a ray in each lane of a path: the results of certified_traversal.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/certified_hit.hpp>
 #include <graze/octree/inclusion_eight.hpp>
 

@@ -11,6 +11,8 @@
 /// Everything is written over `Lanes`, each of which follows a ray of its own: one (one_lane) for
 /// scalar intervals, eight (certified_eight.hpp) in the registers of a path. What a lane finds does
 /// not depend on the others. What kernels of a path use is always inlined: see batch/path.hpp.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>

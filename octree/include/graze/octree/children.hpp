@@ -1,6 +1,8 @@
 #pragma once
 /// What a surface leaves of an octant's eight children: the question that every voxelization asks,
 /// eager, parallel or lazy.
+#include <graze/needs_cxx20.hpp>
+
 #include <concepts>
 #include <graze/octree/inclusion.hpp>
 

@@ -1,5 +1,7 @@
 #pragma once
 /// Octants, and the root cubes in which every octant's corners are exact doubles.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -1,6 +1,8 @@
 #pragma once
 /// Descent of a ray through an octree. A Method says which children the ray passes, in order; a
 /// Tree says which children there are; the visitor gets the cells that are left at the last level.
+#include <graze/needs_cxx20.hpp>
+
 #include <array>
 #include <bit>
 #include <concepts>

@@ -1,6 +1,8 @@
 #pragma once
 /// A ray's descent through a voxelized surface and on below it, with the children in the lanes of a
 /// path: the cells of descend(sound<B, C>, continued_octree), in their order.
+#include <graze/needs_cxx20.hpp>
+
 #include <bit>
 #include <graze/octree/inclusion_eight.hpp>
 #include <graze/octree/sound_eight.hpp>

@@ -6,6 +6,8 @@
 /// is the sign of |p_1 - o_1| |d_2| - |p_2 - o_2| |d_1|, without a division. A filter in doubles
 /// decides most signs; what it leaves goes to integers. Every result is the same in every rounding
 /// mode and under every compiler flag that backend.hpp lets through. Nothing is allocated.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -1,5 +1,7 @@
 #pragma once
 /// Forward differentiation: a value and its partial derivatives, over any number type.
+#include <graze/needs_cxx20.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>

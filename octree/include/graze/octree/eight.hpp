@@ -1,5 +1,7 @@
 #pragma once
 /// Formulas of surfaces over eight boxes at once: what interval8 needs beside its own operations.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/interval8.hpp>
 #include <graze/octree/formula.hpp>
 #include <graze/octree/lanewise.hpp>

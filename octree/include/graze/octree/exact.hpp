@@ -1,6 +1,8 @@
 #pragma once
 /// The exact method: in `closed`, the octants that the ray touches and no other; in `owned`, the
 /// octants that own a point of the ray and no other, front to back.
+#include <graze/needs_cxx20.hpp>
+
 #include <bit>
 #include <graze/octree/exact_touch.hpp>
 #include <graze/octree/sound.hpp>

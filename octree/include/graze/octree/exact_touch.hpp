@@ -6,6 +6,8 @@
 /// and none lies before the enter of another axis: intervals that meet in pairs have a common
 /// point. Each comparison is the sign of a 2x2 determinant (determinant_sign.hpp). Half-open boxes
 /// differ only where two arrivals are equal.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>

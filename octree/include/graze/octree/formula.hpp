@@ -1,6 +1,8 @@
 #pragma once
 /// The functions that a formula is written in, beside + - *: each is found for every number type
 /// over which a surface is evaluated, and is as tight as that type allows.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <graze/batch/formulas.hpp>

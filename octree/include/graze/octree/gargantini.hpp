@@ -1,6 +1,8 @@
 #pragma once
 /// Baseline `gargantini`: the ray's intersections with the mid-planes, sorted in t. It stays in the
 /// code to be measured against; it misses octants.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/descent.hpp>
 #include <graze/octree/ray.hpp>
 #include <limits>

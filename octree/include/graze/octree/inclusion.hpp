@@ -2,6 +2,8 @@
 /// What intervals prove about a surface: enclosures of f and of its gradient on a box, certified
 /// signs at points, and what they say about the zeros in a box. Every function here is called
 /// within a scope of the backend of its interval type.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -1,6 +1,8 @@
 #pragma once
 /// What intervals prove about a surface in the eight children of an octant, in the lanes of a path:
 /// the verdicts of inclusion.hpp in each.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/dual.hpp>
 #include <graze/octree/eight.hpp>
 #include <graze/octree/inclusion.hpp>

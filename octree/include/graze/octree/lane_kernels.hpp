@@ -7,6 +7,8 @@
 /// surface of one's own: a file for each path, compiled for its instructions, that defines a table
 /// by make_lane_kernels (lane_kernels_of_path.hpp), and a specialization of lane_kernels_of that
 /// chooses among them; octree/src/lanes is the model.
+#include <graze/needs_cxx20.hpp>
+
 #include <cassert>
 #include <graze/batch.hpp>
 #include <graze/octree/asterisk.hpp>

@@ -1,6 +1,8 @@
 #pragma once
 /// The kernels of a path, for a file compiled for its instructions, with optimization: functions
 /// that are not templates over the path must not be emitted there (see batch/path.hpp).
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/certified_eight.hpp>
 #include <graze/octree/descent_eight.hpp>
 #include <graze/octree/lane_kernels.hpp>

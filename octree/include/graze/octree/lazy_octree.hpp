@@ -1,5 +1,7 @@
 #pragma once
 /// An octree that is built where it is looked at: only the octants that rays need are evaluated.
+#include <graze/needs_cxx20.hpp>
+
 #include <atomic>
 #include <bit>
 #include <graze/octree/children.hpp>

@@ -1,6 +1,8 @@
 #pragma once
 /// Eight doubles in the registers of a path: what the eight children of an octant have each.
 /// For files compiled for the path's instructions; everything is always_inline (batch/path.hpp).
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/interval8.hpp>
 
 namespace graze::octree {

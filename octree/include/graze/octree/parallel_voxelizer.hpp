@@ -2,6 +2,8 @@
 /// Voxelization on several threads with oneTBB: the bytes of voxelize_by, for any number of
 /// threads. The only header of graze::octree that needs oneTBB; link the target
 /// graze::octree_parallel, or TBB::tbb yourself.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <functional>

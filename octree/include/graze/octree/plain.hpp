@@ -1,6 +1,8 @@
 #pragma once
 /// Baseline `plain`: the sound formulas computed in round to nearest, so with no bound at all. It
 /// stays in the code to be measured against; it misses octants.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/sound.hpp>
 
 namespace graze::octree {

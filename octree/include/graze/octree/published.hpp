@@ -1,6 +1,8 @@
 #pragma once
 /// Baseline `published`: the paper's ray voxelization to the letter. It stays in the code to be
 /// measured against; it misses octants.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/descent.hpp>
 #include <graze/octree/ray.hpp>
 #include <graze/rounding/nearest.hpp>

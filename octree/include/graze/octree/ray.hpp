@@ -1,5 +1,7 @@
 #pragma once
 /// The ray {origin + t direction : t real, t >= 0}.
+#include <graze/needs_cxx20.hpp>
+
 #include <cmath>
 #include <graze/expected.hpp>
 #include <graze/octree/vector.hpp>

@@ -6,6 +6,8 @@
 /// the plane x = p" into Cx (p - ox), a product without a division: the paper's section 2.4. The
 /// paper rounds Cx once; here it is rounded both ways and each bound takes the side that keeps it a
 /// bound.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <array>
 #include <concepts>

@@ -1,5 +1,7 @@
 #pragma once
 /// A segment of a ray, and exact decisions about it.
+#include <graze/needs_cxx20.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstdint>

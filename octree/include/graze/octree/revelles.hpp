@@ -1,6 +1,8 @@
 #pragma once
 /// Baseline `revelles`: the times at which a ray meets an octant's faces, halved at each level. It
 /// stays in the code to be measured against; it misses octants.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <graze/octree/descent.hpp>
 #include <graze/octree/ray.hpp>

@@ -6,6 +6,8 @@
 /// With components of 1e-300 or of 1e200 that leaves no bound worth having, though never a wrong
 /// one; so bounds are prepared from the scaled direction. Exact decisions, and every t that a user
 /// gives or gets, are of the direction as given.
+#include <graze/needs_cxx20.hpp>
+
 #include <cstdint>
 #include <graze/octree/vector.hpp>
 

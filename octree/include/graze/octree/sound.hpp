@@ -1,5 +1,7 @@
 #pragma once
 /// The sound method: no touched octant whose ancestors are kept is ever left out.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/descent.hpp>
 #include <graze/octree/ray_bounds.hpp>
 #include <graze/octree/scaled_direction.hpp>
@@ -18,7 +20,8 @@ public:
   /// The intervals of scaled t on the three axes.
   using state = std::array<typename bounds::interval, 3>;
 
-  /// Prepares a ray by its scaled direction, to which scaled t belongs; call it within a scope of B.
+  /// Prepares a ray by its scaled direction, to which scaled t belongs; call it within a scope of
+  /// B.
   explicit sound(const ray& r)
       : sound(bounds::prepare(r.origin(), scaled_direction(r.direction()))) {}
   /// A ray as it is prepared, which may be with any direction.

@@ -1,5 +1,7 @@
 #pragma once
 /// The sound method with the eight children in the lanes of a path: the verdicts of sound<B, C>.
+#include <graze/needs_cxx20.hpp>
+
 #include <bit>
 #include <graze/octree/descent.hpp>
 #include <graze/octree/octet.hpp>

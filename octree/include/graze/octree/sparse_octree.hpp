@@ -1,5 +1,7 @@
 #pragma once
 /// A sparse octree: a byte of child mask and one 32-bit index a node, a byte a leaf.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <bit>
 #include <cassert>

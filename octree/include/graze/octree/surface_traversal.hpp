@@ -1,6 +1,8 @@
 #pragma once
 /// The first hit of a ray with a surface: descent through the octree to its level and, on the fly,
 /// below it; then proof along the ray itself.
+#include <graze/needs_cxx20.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <graze/octree/along_ray.hpp>

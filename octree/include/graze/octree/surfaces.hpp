@@ -2,6 +2,8 @@
 /// The four algebraic surfaces of the scenes. Each formula is written once and evaluated over
 /// double, intervals, duals of both, and the oracle's numbers; in a form whose natural extension is
 /// tight: no variable occurs twice except through functions that are tight on their own.
+#include <graze/needs_cxx20.hpp>
+
 #include <array>
 #include <concepts>
 #include <graze/octree/formula.hpp>

@@ -6,6 +6,8 @@
 ///
 /// Conventions and exactness as in voxel_rays.hpp, as template parameters. Arithmetic is that of
 /// the backend `nearest`, which needs no rounding mode but the one that programs start in.
+#include <graze/needs_cxx20.hpp>
+
 #include <cstddef>
 #include <graze/octree/ray_segment.hpp>
 #include <graze/octree/sound.hpp>

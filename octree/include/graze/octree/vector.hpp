@@ -1,5 +1,7 @@
 #pragma once
 /// Points and directions: three doubles, indexed by axis 0, 1, 2.
+#include <graze/needs_cxx20.hpp>
+
 #include <array>
 
 namespace graze::octree {

@@ -1,5 +1,7 @@
 #pragma once
 /// A voxel of a voxel_set.
+#include <graze/needs_cxx20.hpp>
+
 #include <cstdint>
 
 namespace graze::octree {

@@ -15,6 +15,8 @@
 /// Owned voxels come front to back. Closed ones come in the order of their indices, each axis taken
 /// in the direction of the ray, node by node; that is front to back but for those touched in
 /// common.
+#include <graze/needs_cxx20.hpp>
+
 #include <cstddef>
 #include <graze/octree/ray_segment.hpp>
 #include <graze/octree/voxel_rays_state.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 /// What voxel_rays.hpp and the paths' files have in common: plain data, no code.
+#include <graze/needs_cxx20.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <graze/batch/per_path.hpp>

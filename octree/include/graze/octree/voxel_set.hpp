@@ -1,6 +1,8 @@
 #pragma once
 /// A set of voxels of one level, kept as a sparse tree whose node covers two octree levels at once:
 /// what rays are sent through when all that matters is which voxels are occupied.
+#include <graze/needs_cxx20.hpp>
+
 #include <bit>
 #include <cstdint>
 #include <graze/octree/descent.hpp>

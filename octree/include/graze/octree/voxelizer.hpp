@@ -2,6 +2,8 @@
 /// Voxelization of a surface into a sparse octree. lane_kernels.hpp does the same eight children at
 /// a time, parallel_voxelizer.hpp on several threads: the same bytes. lazy_octree.hpp does it only
 /// where it is looked at: the same leaves.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/children.hpp>
 #include <graze/octree/sparse_octree.hpp>
 

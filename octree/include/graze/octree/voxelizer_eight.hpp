@@ -1,6 +1,8 @@
 #pragma once
 /// The judge of voxelizations with an octant's children in the lanes of a path: the verdicts of
 /// scalar_judge. For files compiled for the path's instructions.
+#include <graze/needs_cxx20.hpp>
+
 #include <graze/octree/inclusion_eight.hpp>
 #include <graze/octree/sound_eight.hpp>
 #include <graze/octree/voxelizer.hpp>

@@ -1,0 +1,174 @@
+#pragma once
+/// graze::interval<Backend> and its arithmetic, without the functions (graze/interval.hpp has
+/// both). Every operation here, and those of Boost.Interval that it lists, gives the tightest
+/// enclosure of the range over the operands' real members: 0 ulp per endpoint.
+#include <graze/needs_cxx20.hpp>
+
+#include <algorithm>
+#include <boost/numeric/interval/arith.hpp>
+#include <boost/numeric/interval/arith2.hpp>
+#include <boost/numeric/interval/utility.hpp>
+#include <graze/boost_functions.hpp>
+#include <graze/comparison.hpp>
+#include <graze/policies.hpp>
+#include <graze/rounding/nearest.hpp>
+
+#if defined(__x86_64__)
+#include <graze/packed_interval.hpp>
+#endif
+
+namespace graze {
+
+namespace detail {
+template <class B> struct interval_policies {
+  using type = policies<B>;
+};
+#if defined(__x86_64__)
+template <class B>
+  requires PackedPolicies<policies<B>>
+struct interval_policies<B> {
+  using type = outward_policies<B>;
+};
+#endif
+} // namespace detail
+
+/// With the default backend every operation may be inlined anywhere and sets no mode. The others
+/// set and restore their mode in every operation; see `unprotected`. Boost's class with
+/// policies<B>, or with outward_policies<B> where B has instructions on pairs.
+template <rounding::Backend B = rounding::nearest>
+using interval = boost::numeric::interval<double, typename detail::interval_policies<B>::type>;
+
+/// For inner loops: the operations assume that the caller holds a `typename B::scope`.
+template <rounding::Backend B> using unprotected = interval<rounding::held<B>>;
+
+// Found beside the overloads below whether called by name or by argument. Tightest as they are:
+// -x, x + y, x - y, x * y, sqrt, square, abs, min, max of intervals.
+using boost::numeric::abs;
+using boost::numeric::empty;
+using boost::numeric::hull;
+using boost::numeric::intersect;
+using boost::numeric::max;
+using boost::numeric::min;
+using boost::numeric::sqrt;
+using boost::numeric::square;
+using boost::numeric::subset;
+using boost::numeric::width;
+
+// Sums need no test for empty operands, which Boost's own make: a NaN reaches a bound, and where
+// infinities of the empty [inf, inf] go, no non-empty set comes out.
+template <Policies P> interval_of<P> operator+(const interval_of<P>& x, const interval_of<P>& y) {
+  [[maybe_unused]] typename P::rounding rnd;
+  return interval_of<P>(rnd.add_down(x.lower(), y.lower()), rnd.add_up(x.upper(), y.upper()), true);
+}
+template <Policies P> interval_of<P> operator-(const interval_of<P>& x, const interval_of<P>& y) {
+  [[maybe_unused]] typename P::rounding rnd;
+  return interval_of<P>(rnd.sub_down(x.lower(), y.upper()), rnd.sub_up(x.upper(), y.lower()), true);
+}
+
+// Mixed operations (boost_functions.hpp has those with other numbers than double and int): a number
+// stands for the interval that holds it alone, so that NaN and
+// infinities, which are no real numbers, give the empty set. (Boost multiplies by infinity as if it
+// were a number: inf * [-1, 1] would be entire, inf * [0, 1] a NaN.)
+template <Policies P> interval_of<P> operator+(const interval_of<P>& x, const double& y) {
+  return x + interval_of<P>(y);
+}
+template <Policies P> interval_of<P> operator+(const double& x, const interval_of<P>& y) {
+  return interval_of<P>(x) + y;
+}
+template <Policies P> interval_of<P> operator-(const interval_of<P>& x, const double& y) {
+  return x - interval_of<P>(y);
+}
+template <Policies P> interval_of<P> operator-(const double& x, const interval_of<P>& y) {
+  return interval_of<P>(x) - y;
+}
+template <Policies P> interval_of<P> operator*(const double& x, const interval_of<P>& y) {
+  using I = interval_of<P>;
+  if (empty(y) || empty(I(x)))
+    return I::empty();
+  typename P::rounding rnd;
+  if (x < 0)
+    return I(rnd.mul_down(x, y.upper()), rnd.mul_up(x, y.lower()), true);
+  if (x == 0)
+    return I(0.0, 0.0, true);
+  return I(rnd.mul_down(x, y.lower()), rnd.mul_up(x, y.upper()), true);
+}
+template <Policies P> interval_of<P> operator*(const interval_of<P>& x, const double& y) {
+  return y * x;
+}
+
+namespace detail {
+/// Encloses { a / b : a in x, b in y, b != 0 }; empty for y = [0, 0]. Where y reaches 0 from one
+/// side and x ends at 0, Boost's own operator gives entire: [-1, 0] / [0, 1] is [-inf, 0].
+template <Policies P> interval_of<P> divide(const interval_of<P>& x, const interval_of<P>& y) {
+  using I = interval_of<P>;
+  if (empty(x) || empty(y))
+    return I::empty();
+  const double a = x.lower(), b = x.upper(), c = y.lower(), d = y.upper();
+  if (c == 0 && d == 0)
+    return I::empty();
+  if (a == 0 && b == 0)
+    return I(0.0, 0.0, true);
+  if (c < 0 && 0 < d)
+    return I::whole();
+  typename P::rounding rnd;
+  constexpr double infinity = checking::infinity;
+  if (c >= 0) { // y within [0, inf]
+    if (a >= 0)
+      return I(rnd.div_down(a, d), c == 0 ? infinity : rnd.div_up(b, c), true);
+    if (b <= 0)
+      return I(c == 0 ? -infinity : rnd.div_down(a, c), rnd.div_up(b, d), true);
+    return c == 0 ? I::whole() : I(rnd.div_down(a, c), rnd.div_up(b, c), true);
+  }
+  if (a >= 0)
+    return I(d == 0 ? -infinity : rnd.div_down(b, d), rnd.div_up(a, c), true);
+  if (b <= 0)
+    return I(rnd.div_down(b, c), d == 0 ? infinity : rnd.div_up(a, d), true);
+  return d == 0 ? I::whole() : I(rnd.div_down(b, d), rnd.div_up(a, d), true);
+}
+} // namespace detail
+
+template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const interval_of<P>& y) {
+  return detail::divide(x, y);
+}
+template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const double& y) {
+  return x / interval_of<P>(y);
+}
+template <Policies P> interval_of<P> operator/(const double& x, const interval_of<P>& y) {
+  return interval_of<P>(x) / y;
+}
+
+/// x^2: for an interval the tightest enclosure of { t^2 : t in x }, for a double x * x. One formula
+/// serves both.
+template <Policies P> interval_of<P> sqr(const interval_of<P>& x) { return square(x); }
+constexpr double sqr(double x) { return x * x; }
+
+/// The least double >= upper - lower; NaN for the empty set.
+template <Policies P> double width(const interval_of<P>& x) {
+  if (empty(x))
+    return checking::nan();
+  typename P::rounding rnd;
+  return rnd.sub_up(x.upper(), x.lower());
+}
+/// max { |t| : t in x }, exact, never -0; NaN for the empty set.
+template <Policies P> double mag(const interval_of<P>& x) {
+  return empty(x) ? checking::nan() : std::max({0.0, -x.lower(), x.upper()});
+}
+/// A finite double in x, near the middle; NaN for the empty set.
+template <Policies P> double mid(const interval_of<P>& x) {
+  return empty(x) ? checking::nan() : P::rounding::median(x.lower(), x.upper());
+}
+
+} // namespace graze
+
+namespace boost::numeric {
+using graze::width;
+/// Is the number x a member of y? Infinities are none.
+template <graze::Policies P> bool in(const double& x, const interval<double, P>& y) {
+  return -graze::checking::infinity < x && x < graze::checking::infinity && !empty(y) &&
+         y.lower() <= x && x <= y.upper();
+}
+} // namespace boost::numeric
+
+#if defined(__x86_64__)
+#include <graze/packed_arithmetic.hpp>
+#endif
