@@ -81,11 +81,19 @@ function(graze_program name)
 endfunction()
 
 # graze_test(NAME SOURCES... LIBS targets...): a Catch2 executable; every TEST_CASE is a ctest entry.
-# One that prints "graze: skipped, ..." (the processor lacks what it tests) counts as skipped.
+# One that prints "graze: skipped, ..." (the processor lacks what it tests) counts as skipped; one that
+# ends without an assertion otherwise fails. SECONDS is how long each may take, GRAZE_TEST_SECONDS if not
+# given: several times what the slowest takes on a slow machine beside another, so that a hang costs little
+# more.
+set(GRAZE_TEST_SECONDS 60 CACHE STRING "Seconds that a test may take, if its program names no other time")
 function(graze_test name)
-  cmake_parse_arguments(arg "" "" "LIBS" ${ARGN})
+  cmake_parse_arguments(arg "" "SECONDS" "LIBS" ${ARGN})
+  if(NOT arg_SECONDS)
+    set(arg_SECONDS ${GRAZE_TEST_SECONDS})
+  endif()
   graze_program(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE graze_catch_main ${arg_LIBS})
-  catch_discover_tests(${name} TEST_PREFIX "" PROPERTIES TIMEOUT 1200
+  catch_discover_tests(${name} TEST_PREFIX "" EXTRA_ARGS --warn NoAssertions PROPERTIES
+                        TIMEOUT ${arg_SECONDS}
                         SKIP_REGULAR_EXPRESSION "graze: skipped,")
 endfunction()

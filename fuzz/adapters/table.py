@@ -64,7 +64,7 @@ def row(program, name, level, rays, adversarial):
         for g in range(len(adversarial))]
     first = [r["first_miss_seconds"] for r in runs]
     time = "none" if None in first else f"{1000 * statistics.median(first):.2g} ms"
-    faults = [r["finding"] for r in runs if r["finding"] in ("crash", "hang", "nan", "malformed")]
+    faults = [r["finding"] for r in runs if r["finding"] in ("crash", "hang", "exception", "nan", "malformed")]
     return (f"| {name} | {total['rays']} | {percent(share(total))} | "
             f"{percent(min(by_generator))} to {percent(max(by_generator))} | "
             f"{'yes' if total['gross_missed'] else 'no'} | {percent(share(random))} | {time} | "

@@ -24,8 +24,9 @@ void keep_lower(std::optional<std::uint64_t>& lowest, std::uint64_t ray) {
 constexpr finding_set misses_and_gaps =
     bit(finding::crossed_miss) | bit(finding::gap) | bit(finding::miss);
 
-constexpr finding_set faults_of_answers =
-    bit(finding::crash) | bit(finding::hang) | bit(finding::not_a_number) | bit(finding::malformed);
+constexpr finding_set faults_of_answers = bit(finding::crash) | bit(finding::hang) |
+                                          bit(finding::exception) | bit(finding::not_a_number) |
+                                          bit(finding::malformed);
 
 /// Rays are handed out in pieces of this many.
 constexpr std::uint64_t piece = 1024;
@@ -50,7 +51,7 @@ struct shared_state {
 
 void work(shared_state& shared) {
   const campaign_plan& plan = shared.plan;
-  const auto under_test = plan.under_test->make();
+  const auto under_test = plan.under_test->guarded();
   const std::size_t kinds = plan.generators.size();
   trial_source source(plan);
   std::vector<counts> by_generator(kinds);

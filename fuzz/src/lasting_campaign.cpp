@@ -104,7 +104,7 @@ std::optional<checked_piece> check_piece(const campaign_plan& plan, const stored
   checked_piece checked;
   checked.piece.number = number;
   checked.piece.by_generator = std::move(result.by_generator);
-  const auto under_test = plan.under_test->make();
+  const auto under_test = plan.under_test->guarded();
   for (unsigned k = 0; k < finding_kinds; ++k) {
     std::vector<std::uint64_t> rays;
     for (const auto& of_generator : result.first)

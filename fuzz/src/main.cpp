@@ -141,9 +141,10 @@ int run(const run_options& options) {
         !why.empty())
       return bad_input(std::move(why));
   if (found && !options.reproducer.empty()) {
-    const auto written = write_reproducer(
-        reproduction_of(found->shrunk, *plan.under_test->make(), found->kind, entry->asked_for()),
-        options.reproducer);
+    const auto written =
+        write_reproducer(reproduction_of(found->shrunk, *plan.under_test->guarded(), found->kind,
+                                         entry->asked_for()),
+                         options.reproducer);
     if (!written)
       return bad_input(written.reason());
     if (!options.json)
@@ -164,7 +165,7 @@ int replay_file(const replay_options& options) {
   if (!options.reproducer.empty())
     if (const std::string why = refusal_of_folder(options.reproducer); !why.empty())
       return bad_input(why);
-  const auto under_test = entry->make();
+  const auto under_test = entry->guarded();
   bool any = false;
   for (const replay_case& c : *cases) {
     const replay_result r = replay(c.at, *under_test);
@@ -191,6 +192,8 @@ int replay_file(const replay_options& options) {
       fmt::print("line {}: declined by {}, not judged\n", c.line, entry->name);
       continue;
     }
+    if (!r.thrown.empty())
+      findings += fmt::format(" ({})", r.thrown);
     fmt::print("line {}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}{}\n", c.line,
                yes(r.touches != 0), yes(r.crosses != 0), yes(r.owns != 0), entry->name,
                yes(r.visited != 0), findings.empty() ? " none" : findings, written);

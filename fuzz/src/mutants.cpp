@@ -2,6 +2,8 @@
 #include <graze/fuzz/method_traversal.hpp>
 #include <graze/octree/sound.hpp>
 #include <graze/rounding/upward.hpp>
+#include <stdexcept>
+#include <utility>
 
 namespace graze::fuzz {
 
@@ -81,6 +83,30 @@ private:
   method_traversal<sound> base_{"sound", promise::owned};
 };
 
+/// The sound answer, but for directions with x < 0 an exception, of one type or another; and after
+/// one nothing that it says is right.
+class throws final : public traversal {
+public:
+  [[nodiscard]] std::string_view name() const override { return "mutant-throws"; }
+  [[nodiscard]] promise promises() const override { return promise::owned; }
+  void visit(const trial& t, visited& out) override {
+    if (std::exchange(broken_, t.direction[0] < 0)) {
+      out.push_outside();
+      return;
+    }
+    base_.visit(t, out);
+    if (!broken_)
+      return;
+    if (t.direction[1] < 0)
+      throw 7;
+    throw std::runtime_error("a direction with x < 0");
+  }
+
+private:
+  method_traversal<sound> base_{"sound", promise::owned};
+  bool broken_ = false;
+};
+
 /// The sound answer, passed off as an exact one.
 std::unique_ptr<traversal> make_inexact() {
   return std::make_unique<method_traversal<sound>>("mutant-inexact", promise::exactly_owned);
@@ -105,6 +131,8 @@ const std::vector<traversal_entry>& mutants() {
       {"mutant-inexact", "sound, but promises to be exact", make_inexact},
       {"mutant-twice", "sound, but its last octant twice",
        [] { return std::unique_ptr<traversal>(new report_twice); }},
+      {"mutant-throws", "sound, but throws where the direction has x < 0",
+       [] { return std::unique_ptr<traversal>(new throws); }},
   };
   return all;
 }

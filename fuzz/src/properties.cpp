@@ -25,8 +25,8 @@ std::string_view name_of(promise p) {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crash", "hang",  "nan",     "malformed",    "gross-miss", "crossed-miss", "gap",
-      "miss",  "order", "revisit", "far-spurious", "spurious",   "outside"};
+      "crash", "hang", "exception", "nan",     "malformed",    "gross-miss", "crossed-miss",
+      "gap",   "miss", "order",     "revisit", "far-spurious", "spurious",   "outside"};
   return names[static_cast<unsigned>(f)];
 }
 
@@ -82,6 +82,8 @@ finding finding_of(fault f) {
     return finding::crash;
   case fault::hang:
     return finding::hang;
+  case fault::exception:
+    return finding::exception;
   case fault::not_a_number:
     return finding::not_a_number;
   default:
@@ -306,7 +308,7 @@ verdict judge_answer(const trial& t, const visited& said, promise p) {
 
 verdict judge(const trial& t, traversal& under_test) {
   visited said;
-  under_test.visit(t, said);
+  ask(under_test, t, said);
   return judge_answer(t, said, under_test.promises());
 }
 

@@ -135,8 +135,9 @@ expected<std::vector<replay_case>> read_replay_file(const std::string& path) {
 
 replay_result replay(const trial& given, traversal& under_test) {
   visited said;
-  under_test.visit(given, said);
+  ask(under_test, given, said);
   replay_result r;
+  r.thrown = said.thrown();
   const auto answered = trial_answered(given, said);
   r.declined = !answered;
   if (r.declined)
@@ -186,6 +187,8 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
   line["oracles_agree"] = r.oracles_agree;
   if (r.declined)
     line["declined"] = true;
+  if (!r.thrown.empty())
+    line["exception"] = r.thrown;
   if (std::popcount(c.at.all()) > 1)
     for (voxel_set left = c.at.all(); left != 0; left &= left - 1) {
       const auto v = static_cast<voxel>(std::countr_zero(left));

@@ -50,7 +50,7 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
   const auto kind = result.worst_finding();
   if (!kind)
     return std::nullopt;
-  const auto under_test = plan.under_test->make();
+  const auto under_test = plan.under_test->guarded();
   std::optional<counterexample> simplest;
   const shrink_deadline end = usual_deadline(); // of all together
   for (const auto& of_generator : result.first) {
@@ -80,7 +80,7 @@ std::string table(const campaign_plan& plan, const campaign_result& result) {
     text += row(plan.generators[g]->name, result.by_generator[g]);
   text += row("all", result.total);
   if (result.total.faults != 0)
-    text += fmt::format("{} rays without an answer (crash, hang, NaN or malformed)\n",
+    text += fmt::format("{} rays without an answer (crash, hang, exception, NaN or malformed)\n",
                         result.total.faults);
   if (result.total.declined != 0)
     text += fmt::format("{} rays declined, not judged\n", result.total.declined);
@@ -124,7 +124,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
                     const std::optional<counterexample>& c) {
   json object;
   object["traversal"] = plan.under_test->name;
-  object["promise"] = name_of(plan.under_test->make()->promises());
+  object["promise"] = name_of(plan.under_test->guarded()->promises());
   object["level"] = plan.level;
   object["last_level"] = plan.last_level;
   object["search"] = name_of(plan.by);

@@ -17,12 +17,12 @@ std::vector<std::unique_ptr<traversal>> under_test() {
   if (const char* name = std::getenv("GRAZE_FUZZ_TRAVERSAL")) {
     const traversal_entry* entry = find_traversal(name);
     target::require(entry != nullptr, "GRAZE_FUZZ_TRAVERSAL is no traversal's name");
-    all.push_back(entry->make());
+    all.push_back(entry->guarded());
     return all;
   }
   for (const traversal_entry& entry : traversals())
     if (entry.name.starts_with("sound") || entry.name.starts_with("exact"))
-      all.push_back(entry.make());
+      all.push_back(entry.guarded());
   return all;
 }
 

@@ -43,6 +43,7 @@ target_link_libraries(tie_generate PRIVATE graze::fuzz_core)
 add_test(NAME "proofs.tie: vectors.txt is the model's"
          COMMAND ${CMAKE_COMMAND} -DMODEL=${graze_model} -DVECTORS=${vectors}
                  -DOUT=${there}/vectors.txt -P ${here}/same_vectors.cmake)
+set_tests_properties("proofs.tie: vectors.txt is the model's" PROPERTIES TIMEOUT 300)
 add_test(NAME "proofs.tie: the model answers"
          COMMAND ${CMAKE_COMMAND} -DGENERATE=$<TARGET_FILE:tie_generate> -DMODEL=${graze_model}
                  -DOUT=${model_answers} -P ${here}/answer.cmake)

@@ -2,8 +2,11 @@
 #include "../support/program.hpp"
 #include <chrono>
 #include <csignal>
+#include <cstdio>
+#include <fcntl.h>
 #include <graze/fuzz/lasting_campaign.hpp>
 #include <nlohmann/json.hpp>
+#include <sys/prctl.h>
 #include <thread>
 
 using namespace graze::fuzz;
@@ -45,58 +48,96 @@ ending ending_of(const std::string& folder) {
 const std::string searched = " --traversal published --level 40 --rays 80500 --piece 1000 "
                              "--seed 7 --threads 2 --generator vertex,edge-1,mid-plane";
 
-std::size_t lines_of(const std::string& path) {
-  const std::string text = content(path);
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
+/// A campaign in a process of its own, which ends with this one; its events are in a pipe that holds
+/// little, so that it cannot run far ahead of who reads them, and does not end unread.
+class started_campaign {
+public:
+  explicit started_campaign(const std::string& folder, const std::string& plan) {
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    (void)fcntl(ends[1], F_SETPIPE_SZ, 4096);
+    child_ = fork();
+    if (child_ == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      dup2(ends[1], STDOUT_FILENO);
+      close(ends[0]);
+      const std::string command =
+          "exec '" GRAZE_FUZZ "' campaign '" + folder + "'" + plan + " --json 2>/dev/null";
+      execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      _exit(127);
+    }
+    close(ends[1]);
+    REQUIRE(child_ > 0);
+    events_ = fdopen(ends[0], "r");
+    REQUIRE(events_ != nullptr);
+  }
+  ~started_campaign() {
+    std::fclose(events_);
+    if (child_ > 0) {
+      kill(child_, SIGKILL);
+      waitpid(child_, nullptr, 0);
+    }
+  }
+  started_campaign(const started_campaign&) = delete;
+  started_campaign& operator=(const started_campaign&) = delete;
 
-/// Starts a campaign, and kills it some time after `lines` lines of progress are there; false when
-/// it had ended before.
-bool killed_after(const std::string& folder, std::size_t lines, std::chrono::microseconds more) {
-  const pid_t child = fork();
-  if (child == 0) {
-    const std::string command =
-        "exec '" GRAZE_FUZZ "' campaign '" + folder + "'" + searched + " >/dev/null 2>&1";
-    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    _exit(127);
+  /// Reads events until so many pieces were finished in this start; false if it ends before.
+  bool read_pieces(std::size_t pieces) {
+    char* line = nullptr;
+    std::size_t room = 0;
+    while (pieces > 0 && getline(&line, &room, events_) > 0)
+      pieces -= std::string_view(line).find("\"event\":\"piece\"") != std::string_view::npos ? 1 : 0;
+    std::free(line);
+    return pieces == 0;
   }
-  REQUIRE(child > 0);
-  int status = 0;
-  while (lines_of(folder + "/progress.jsonl") < lines) {
-    if (waitpid(child, &status, WNOHANG) == child)
-      return WIFSIGNALED(status);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  /// Sends the signal; how it ended.
+  int ended_by(int signal) {
+    kill(child_, signal);
+    char rest[4096]; // what it still says
+    while (std::fread(rest, 1, sizeof rest, events_) > 0) {
+    }
+    int status = 0;
+    REQUIRE(waitpid(child_, &status, 0) == child_);
+    child_ = 0;
+    return status;
   }
-  std::this_thread::sleep_for(more);
-  kill(child, SIGKILL);
-  REQUIRE(waitpid(child, &status, 0) == child);
-  return WIFSIGNALED(status);
-}
+
+private:
+  pid_t child_ = 0;
+  std::FILE* events_ = nullptr;
+};
 
 } // namespace
 
 TEST_CASE("graze-fuzz campaign: killed ten times, it ends as if undisturbed", "[property]") {
   const scratch dir;
-  CHECK(call("campaign " + (dir / "undisturbed") + searched).code == 1);
+  // more pieces than ten starts can finish: a pipe holds the events of ten or so that are not read
+  const std::string longer = " --traversal published --level 40 --rays 240500 --piece 1000 "
+                             "--seed 7 --threads 2 --generator vertex,edge-1,mid-plane";
+  CHECK(call("campaign " + (dir / "undisturbed") + longer).code == 1);
   const ending undisturbed = ending_of(dir / "undisturbed");
-  CHECK(undisturbed.rays == 80'500);
-  CHECK(undisturbed.pieces.size() == 81);
+  CHECK(undisturbed.rays == 240'500);
+  CHECK(undisturbed.pieces.size() == 241);
   CHECK_FALSE(undisturbed.findings.empty());
 
   random_stream random(2026, 6);
   int kills = 0;
-  for (std::size_t i = 0; i < 10; ++i)
-    kills += killed_after(dir / "killed", 5 * i,
-                          std::chrono::microseconds(random.below(i == 0 ? 5'000 : 50'000)))
-                 ? 1
-                 : 0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    started_campaign campaign(dir / "killed", longer);
+    CHECK(campaign.read_pieces(i == 0 ? 0 : 4)); // at once, or in the middle
+    // and at any moment of what it does next; how far it comes in this time is no matter
+    std::this_thread::sleep_for(std::chrono::microseconds(random.below(i < 3 ? 5'000 : 30'000)));
+    const int status = campaign.ended_by(SIGKILL);
+    kills += WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL ? 1 : 0;
+  }
   CHECK(kills == 10);
   campaign_state before; // of a kill between a finding and its line, the finding may be there alone
-  if (std::filesystem::exists(dir / "killed/plan.json"))
-    REQUIRE(read_campaign(dir / "killed", before));
+  REQUIRE(std::filesystem::exists(dir / "killed/plan.json"));
+  REQUIRE(read_campaign(dir / "killed", before));
+  CHECK(before.total().rays >= 9 * 4 * 500);
   CHECK(before.total().rays < undisturbed.rays);
   INFO("rays before the last start: " << before.total().rays);
-  CHECK(call("campaign " + (dir / "killed") + searched).code == 1);
+  CHECK(call("campaign " + (dir / "killed") + longer).code == 1);
   CHECK(ending_of(dir / "killed") == undisturbed);
   CHECK(content(dir / "killed/summary.html").find("</html>") != std::string::npos);
 }
@@ -180,20 +221,10 @@ TEST_CASE("graze-fuzz campaign: bad input is one line, exit code 2, and leaves n
 TEST_CASE("graze-fuzz campaign: a folder is held by one process", "[unit]") {
   const scratch dir;
   const std::string folder = dir / "campaign";
-  const pid_t child = fork();
-  if (child == 0) {
-    const std::string command =
-        "exec '" GRAZE_FUZZ "' campaign '" + folder + "' --threads 1 --seconds 60 >/dev/null 2>&1";
-    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    _exit(127);
-  }
-  REQUIRE(child > 0);
-  for (int i = 0; i < 500 && !std::filesystem::exists(folder + "/progress.jsonl"); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  started_campaign campaign(folder, " --threads 1 --piece 1000");
+  REQUIRE(campaign.read_pieces(1));
   refused("campaign " + folder, "is in use by another graze-fuzz");
-  kill(child, SIGTERM); // told to end, it ends with its summary
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
+  const int status = campaign.ended_by(SIGTERM); // told to end, it ends with its summary
   CHECK(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 0);
   CHECK(std::filesystem::exists(folder + "/summary.html"));

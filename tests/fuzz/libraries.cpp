@@ -8,10 +8,10 @@ using namespace graze::fuzz;
 
 namespace {
 
-/// Time is no matter, but for those that never answer: a minute on a busy machine is no hang.
-std::optional<traversal_entry> find_library(std::string_view name, double seconds_a_ray = 60) {
+/// Time is no matter: half a minute on a busy machine is no hang.
+std::optional<traversal_entry> find_library(std::string_view name) {
   external_options like;
-  like.seconds_a_ray = seconds_a_ray;
+  like.seconds_a_ray = 30;
   for (const traversal_entry& e : library_traversals(like))
     if (e.name == name)
       return e;
@@ -44,21 +44,6 @@ void right_and_wrong(std::string_view name, std::uint64_t random, std::uint64_t 
   CHECK(of(*entry, "aimed-vertex", aimed).crossed_missed > 0);
 }
 
-/// What becomes of a ray, after one that is answered (so that a slow start is no hang).
-fault fault_of(const traversal_entry& entry, const vec3& origin, const vec3& direction) {
-  trial t;
-  t.origin = {0.25, 0.25, 0.25};
-  visited out;
-  const auto under_test = entry.make();
-  under_test->visit(t, out);
-  CHECK(out.failed() == fault::none);
-  t.origin = origin;
-  t.direction = direction;
-  out.clear();
-  under_test->visit(t, out);
-  return out.failed();
-}
-
 } // namespace
 
 TEST_CASE("fuzz.libraries: OctoMap", "[property]") {
@@ -72,11 +57,6 @@ TEST_CASE("fuzz.libraries: OpenVDB", "[property]") {
   right_and_wrong("openvdb-dda", 300, 300);
   right_and_wrong("openvdb-level-set-hdda", 300, 300);
   right_and_wrong("openvdb-volume-ray-intersector", 50, 100);
-}
-
-TEST_CASE("fuzz.libraries: OpenVDB's DDA does not end where a step is lost in t", "[unit]") {
-  if (const auto entry = find_library("openvdb-dda", 1))
-    CHECK(fault_of(*entry, {0x1p53, 0.25, 0.25}, {-1, 0, 0}) == fault::hang);
 }
 
 TEST_CASE("fuzz.libraries: NanoVDB misses voxels of random rays too", "[property]") {
@@ -96,13 +76,6 @@ TEST_CASE("fuzz.libraries: Embree", "[property]") {
   for (const char* name :
        {"embree-boxes", "embree-boxes-robust", "embree-triangles", "embree-triangles-robust"})
     right_and_wrong(name, 300, 300);
-}
-
-TEST_CASE("fuzz.libraries: Embree ends its process where the origin is far", "[unit]") {
-  if (const auto entry = find_library("embree-boxes")) {
-    CHECK(fault_of(*entry, {0, 0x1p61, 0}, {0, 1, 0}) == fault::crash);
-    CHECK(fault_of(*entry, {0, 0x1p60, 0}, {0, 1, 0}) == fault::none);
-  }
 }
 
 TEST_CASE("fuzz.libraries: CGAL is wrong in double", "[property]") {

@@ -101,7 +101,7 @@ TEST_CASE("fuzz.rapidcheck: the codec is exact, and never makes an illegal trial
 
 TEST_CASE("fuzz.rapidcheck: mutants are found, and shrunk to integers of few bits", "[property]") {
   for (const traversal_entry& e : mutants()) {
-    const auto mutant = e.make();
+    const auto mutant = e.guarded();
     const auto result = checked(std::string(e.name), 20'000, [&] {
       const trial t = *any_mutated_trial();
       RC_ASSERT(judge(t, *mutant).findings == 0u);

@@ -6,7 +6,7 @@ namespace {
 
 using support::outcome;
 
-outcome call(const std::string& arguments, const std::string& before = "timeout 60 ") {
+outcome call(const std::string& arguments, const std::string& before = "timeout 600 ") {
   return support::call(GRAZE_FUZZ, "self " + arguments, before);
 }
 

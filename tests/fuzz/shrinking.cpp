@@ -35,7 +35,7 @@ TEST_CASE("fuzz.shrink: what never fails stays, and the budget is kept", "[unit]
 
 TEST_CASE("fuzz.shrink: keeps the kind of finding for every mutant", "[property]") {
   for (const traversal_entry& e : mutants()) {
-    const auto under_test = e.make();
+    const auto under_test = e.guarded();
     const campaign_plan plan = plan_of(e.name, 30, 2000);
     const campaign_result result = run(plan);
     const auto kind = result.worst_finding();

@@ -16,6 +16,9 @@ inline int inputs_per_operation() {
   return given ? std::max(std::atoi(given), 1) : 100000;
 }
 
+/// Says that a test had nothing to run on: ctest counts it as skipped (cmake/graze_target.cmake).
+inline void skipped(const char* why) { std::printf("graze: skipped, %s\n", why); }
+
 /// "0x1.8p+0".
 inline std::string hexadecimal(double x) {
   char text[40];

@@ -149,7 +149,7 @@ TEST_CASE("graze-render: a full disk is one line, exit code 1, and no file", "[u
   // write() fails beyond the limit; the limit counts for all files of the program
   const auto o =
       call(GRAZE_RENDER, "--scene spheres --octree-level 6 --size 200 -o " + (dir / "a.exr"),
-           "ulimit -f 8; timeout 60 ");
+           "ulimit -f 8; timeout 600 ");
   CHECK(o.code == 1);
   CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
   CHECK(o.err.find("cannot write") != std::string::npos);

@@ -41,9 +41,10 @@ inline std::string content(const std::string& path) {
   return text.str();
 }
 
-/// Runs `program arguments` by the shell. `before` is put in front: a time limit, a signal.
+/// Runs `program arguments` by the shell. `before` is put in front: a limit, a variable. The time
+/// limit is for what hangs where no ctest watches.
 inline outcome call(const std::string& program, const std::string& arguments,
-                    const std::string& before = "timeout 60 ") {
+                    const std::string& before = "timeout 600 ") {
   const scratch dir;
   const std::string command =
       before + "'" + program + "' " + arguments + " >" + (dir / "out") + " 2>" + (dir / "err");

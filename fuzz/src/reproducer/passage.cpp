@@ -107,6 +107,12 @@ std::string_view claim_of(finding kind, promise p) {
                                        : "the ray does not touch it";
   case finding::order:
     return "the ray meets it before the octants that were visited earlier";
+  case finding::crash:
+  case finding::hang:
+  case finding::exception:
+  case finding::not_a_number:
+  case finding::malformed:
+    return "asked about the ray, the traversal gives no answer";
   default:
     return "the octant of the finding";
   }
@@ -125,6 +131,12 @@ std::string_view fault_of(finding kind) {
     return "visited twice, or one beside it";
   case finding::outside:
     return "visited, with one outside of the block";
+  case finding::crash:
+  case finding::hang:
+  case finding::exception:
+  case finding::not_a_number:
+  case finding::malformed:
+    return "asked about, the block's first";
   default:
     return "visited for nothing";
   }

@@ -31,6 +31,8 @@ std::string reproducer_text(const reproduction& r) {
     text += fmt::format("block      {} x {} x {} octants from {}\n", t.extent[0], t.extent[1],
                         t.extent[2], spelled(t.octant(0).lo));
   text += fmt::format("claim      {}\n", claim_of(r.kind, r.promises));
+  if (!r.judged.thrown.empty())
+    text += fmt::format("exception  {}\n", r.judged.thrown);
   if (p.range)
     text += fmt::format("passage    t from {} to {}, {:.6g} of the octant's size\n",
                         spelled(p.range->first), spelled(p.range->second), p.chord(t));

@@ -71,7 +71,7 @@ reproduction reproduction_of(const trial& t, traversal& under_test, finding kind
   reproduction r{
       t,  t,  name, options.empty() ? "--traversal " + name : options, under_test.promises(), kind,
       {}, {}, 0};
-  under_test.visit(t, r.said);
+  ask(under_test, t, r.said);
   if (const auto answered = trial_answered(t, r.said))
     r.answered = *answered;
   r.judged = replay(t, under_test);

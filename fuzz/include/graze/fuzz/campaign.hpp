@@ -55,8 +55,8 @@ struct counts {
   std::uint64_t order_errors = 0; ///< rays whose owning octants were visited out of order
   std::uint64_t revisits = 0;     ///< rays with an octant reported twice, or one not of the block
   std::uint64_t findings = 0;     ///< rays with a finding of any kind
-  std::uint64_t faults = 0;       ///< rays that were not answered: crash, hang, NaN, malformed
-  std::uint64_t declined = 0;     ///< rays that the traversal does not take: nothing was judged
+  std::uint64_t faults = 0; ///< rays that were not answered: crash, hang, exception, NaN, malformed
+  std::uint64_t declined = 0; ///< rays that the traversal does not take: nothing was judged
 
   void add(const verdict& v);
   /// The share of the visits that is spurious.

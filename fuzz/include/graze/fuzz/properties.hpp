@@ -88,10 +88,11 @@ voxel_set gross(const trial& t, voxel_set missed);
 
 /// The kinds of finding, most serious first; a set of them is a finding_set. A gross miss is a
 /// crossed miss too. `spurious` is one for
-/// an exact promise only; the first four are those of `fault`, and leave nothing else to judge.
+/// an exact promise only; the first five are those of `fault`, and leave nothing else to judge.
 enum class finding : unsigned {
   crash,
   hang,
+  exception,
   not_a_number,
   malformed,
   gross_miss,
@@ -104,7 +105,7 @@ enum class finding : unsigned {
   spurious,
   outside
 };
-inline constexpr unsigned finding_kinds = 13;
+inline constexpr unsigned finding_kinds = 14;
 std::string_view name_of(finding f);
 
 using finding_set = unsigned;

@@ -37,11 +37,12 @@ struct replay_result {
   finding_set findings = 0;
   bool oracles_agree = true; ///< the rational answers are those that the campaign judges by
   bool declined = false;     ///< the traversal does not take this case: nothing was judged
+  std::string thrown;        ///< what an exception says, where that is the finding
 };
 replay_result replay(const trial& t, traversal& under_test);
 
 /// One JSON object on one line: line, traversal, touches, crosses, owns, visited, findings,
-/// oracles_agree, and for a block the same for each octant.
+/// oracles_agree, what an exception says, and for a block the same for each octant.
 std::string to_json_line(const replay_case& c, const replay_result& r,
                          std::string_view traversal_name);
 

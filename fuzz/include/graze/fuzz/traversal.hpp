@@ -27,9 +27,9 @@ constexpr bool promises_owned(promise p) {
 
 std::string_view name_of(promise p);
 
-/// Why there is no answer to judge: the traversal ended, did not end, or answered something that is
-/// not an answer or that holds a NaN.
-enum class fault : std::uint8_t { none, crash, hang, malformed, not_a_number };
+/// Why there is no answer to judge: the traversal ended, did not end, threw, or answered something
+/// that is not an answer or that holds a NaN.
+enum class fault : std::uint8_t { none, crash, hang, exception, malformed, not_a_number };
 
 /// The ray that a traversal really works on, where it is not the one it was given.
 struct received_ray {
@@ -45,6 +45,7 @@ public:
     repeated_ = outside_ = declined_ = false;
     fault_ = fault::none;
     received_.reset();
+    thrown_.clear();
   }
   void push(voxel v) {
     const voxel_set bit = voxel_set{1} << v;
@@ -59,6 +60,11 @@ public:
   void push_outside() { outside_ = true; }
   /// There is no answer.
   void fail(fault f) { fault_ = f; }
+  /// There is no answer but an exception, and `what` it says.
+  void fail_by_exception(std::string what) {
+    fail(fault::exception);
+    thrown_ = std::move(what);
+  }
   /// The traversal does not take this trial (it cannot represent it): nothing is judged.
   void decline() { declined_ = true; }
   /// The answer is for this ray: it is judged on it. One that is not a ray (a direction that became
@@ -71,6 +77,8 @@ public:
   [[nodiscard]] bool repeated() const { return repeated_; }
   [[nodiscard]] bool outside() const { return outside_; }
   [[nodiscard]] fault failed() const { return fault_; }
+  /// What the exception says, where that is the fault: a line of ASCII.
+  [[nodiscard]] const std::string& thrown() const { return thrown_; }
   [[nodiscard]] bool declined() const { return declined_; }
   [[nodiscard]] const std::optional<received_ray>& received() const { return received_; }
 
@@ -81,6 +89,7 @@ private:
   bool repeated_ = false, outside_ = false, declined_ = false;
   fault fault_ = fault::none;
   std::optional<received_ray> received_;
+  std::string thrown_;
 };
 
 /// One traversal under test. visit() may be called from one thread at a time; a campaign makes one
@@ -90,18 +99,16 @@ struct traversal {
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual promise promises() const = 0;
   /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in
-  /// order. `t` has passed refusal().
+  /// order. `t` has passed refusal(). What it throws is told as fault::exception by ask().
   virtual void visit(const trial& t, visited& out) = 0;
   /// Answers the first n >= 1 of the trials (at least one is given), clearing out[0] to out[n-1]
   /// first, and returns n. A traversal in another process answers many at once.
-  virtual std::size_t visit_some(std::span<const trial> trials, std::span<visited> out) {
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-      out[i].clear();
-      visit(trials[i], out[i]);
-    }
-    return trials.size();
-  }
+  virtual std::size_t visit_some(std::span<const trial> trials, std::span<visited> out);
 };
+
+/// Clears `out` and asks about one trial. An exception is the trial's fault, whatever was answered
+/// before it.
+void ask(traversal& under_test, const trial& t, visited& out);
 
 /// A traversal that can be chosen by name.
 struct traversal_entry {
@@ -109,6 +116,11 @@ struct traversal_entry {
   std::string_view summary;
   std::function<std::unique_ptr<traversal>()> make;
   std::string options{}; ///< how a user asks for it; empty: "--traversal NAME"
+
+  /// One that is made again after each exception, which may leave it in any state: its visit()
+  /// tells what is thrown, by making it too, as fault::exception and throws nothing. The first is
+  /// made at once, and may throw.
+  [[nodiscard]] std::unique_ptr<traversal> guarded() const;
 
   /// The options of graze-fuzz that choose it.
   [[nodiscard]] std::string asked_for() const {

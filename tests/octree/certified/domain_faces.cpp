@@ -1,0 +1,127 @@
+// Roots within ulps of the domain's faces: a hit that is said to be unique is in the domain, and
+// none there is lost. Judged by exact roots.
+#include "../surface_scenes.hpp"
+#include "root_judge.hpp"
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <graze/batch.hpp>
+#include <graze/octree/lane_kernels.hpp>
+#include <vector>
+
+#include "../surface_judge.hpp"
+
+using namespace graze;
+using namespace graze::octree;
+
+namespace {
+
+/// A plane across an axis.
+struct plane {
+  int axis;
+  double at;
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    return (axis == 0 ? x : axis == 1 ? y : z) - constants<N>::exact(at);
+  }
+};
+/// A saddle that is the plane but for a little.
+struct saddle {
+  int axis;
+  double at;
+  template <class N> N operator()(const N& x, const N& y, const N& z) const {
+    const N &along = axis == 0 ? x : axis == 1 ? y : z, &beside = axis == 0 ? y : x;
+    return along - constants<N>::exact(at) + sqr(beside) * constants<N>::exact(0x1p-55);
+  }
+};
+
+double step(double x, int ulps) {
+  for (; ulps != 0; ulps += ulps < 0 ? 1 : -1)
+    x = std::nextafter(x, ulps < 0 ? -INFINITY : INFINITY);
+  return x;
+}
+
+template <class F> void beside_each_face(judge::tally& t) {
+  judge::random_source random(41);
+  const box domain{{-1, -0.75, 0.375}, {1, 2.5, 1.125}};
+  for (int i = 0; i < 3000; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const bool upper : {false, true}) {
+        const double face = upper ? domain.hi[axis] : domain.lo[axis];
+        const F f{axis, step(face, static_cast<int>(random.below(5)) - 2)};
+        vec3 o, d;
+        const bool through = random.below(2) == 0; // the domain first, or the face first
+        for (int a = 0; a < 3; ++a) {
+          const double lo = domain.lo[a], hi = domain.hi[a];
+          o[a] = random.in(lo, hi);
+          d[a] = random.in(lo, hi) - o[a];
+          if (a != axis)
+            d[a] /= 64;
+        }
+        o[axis] = through == upper ? domain.lo[axis] - random.in(0, 1)
+                                   : domain.hi[axis] + random.in(0, 1);
+        d[axis] = (through == upper ? 1 : -1) * random.in(0.1, 4);
+        const ray r = *ray::make(o, d);
+        t.judge(f, r, domain, certified_traversal<F>::make(f, domain)->first_hit(r));
+      }
+}
+
+} // namespace
+
+TEST_CASE("octree.certified: surfaces within ulps of each face of the domain",
+          "[regression][exact][hardcase]") {
+  for (const bool curved : {false, true}) {
+    judge::tally t;
+    curved ? beside_each_face<saddle>(t) : beside_each_face<plane>(t);
+    INFO((curved ? "saddle" : "plane") << ": " << t.first_wrong);
+    CHECK(t.wrong == 0);
+    CHECK(t.hits > 1000);
+    CHECK(t.misses > 1000);
+    CHECK(t.undecided > 100);
+  }
+}
+
+TEST_CASE("octree.certified: a face of the domain within ulps of a scene's surface, on every path",
+          "[regression][exact][hardcase]") {
+  scenes::for_each([](const auto& scene) {
+    using F = std::remove_cvref_t<decltype(scene.surface)>;
+    judge::random_source random(43);
+    const auto whole = certified_traversal<F>::make(F{}, scene.domain());
+    REQUIRE(whole);
+    std::vector<judge::tally> tallies(1 + std::size(batch::paths));
+    int cut = 0;
+    for (int k = 0; k < 20'000 && cut < 400; ++k) {
+      const ray r =
+          scene.pixel(static_cast<int>(random.below(512)), static_cast<int>(random.below(512)));
+      const certified_hit h = whole->first_hit(r);
+      if (h.outcome != verdict::hit)
+        continue;
+      ++cut;
+      // the first root's coordinate on some axis becomes a face of the domain, to some ulps
+      const int axis = static_cast<int>(random.below(3));
+      const double at = r.origin()[axis] + h.t_near * r.direction()[axis];
+      const double face = step(at, static_cast<int>(random.below(7)) - 3);
+      box domain = scene.domain();
+      (random.below(2) == 0 ? domain.lo : domain.hi)[axis] = face;
+      const auto scalar = certified_traversal<F>::make(F{}, domain);
+      if (!scalar)
+        continue;
+      const certified_hit wanted = scalar->first_hit(r);
+      tallies[0].judge(F{}, r, domain, wanted);
+      for (std::size_t p = 0; p < std::size(batch::paths); ++p) {
+        const auto lanes = lane_certified_traversal<F>::make(F{}, domain, batch::paths[p]);
+        if (!lanes)
+          continue;
+        certified_hit hit;
+        lanes->first_hits(std::span(&r, 1), std::span(&hit, 1));
+        tallies[p + 1].judge(F{}, r, domain, hit);
+        CHECK(hit == wanted);
+      }
+    }
+    CHECK(cut == 400);
+    INFO("reach " << scene.reach << ", " << tallies[0].hits << " hits");
+    for (const judge::tally& t : tallies) {
+      INFO(t.first_wrong);
+      CHECK(t.wrong == 0);
+    }
+    CHECK(tallies[0].hits > 20);
+  });
+}
