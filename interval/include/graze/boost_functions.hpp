@@ -15,8 +15,8 @@
 #include <cmath>
 #include <graze/boost_rounding.hpp>
 #include <graze/graze.h>
+#include <iosfwd>
 #include <limits>
-#include <ostream>
 #include <string>
 #include <type_traits>
 
@@ -300,8 +300,9 @@ GRAZE_COMPARE(!=)
 template <class Char, class Traits, class P>
 std::enable_if_t<graze::detail::rounded<P>, std::basic_ostream<Char, Traits>&>
 operator<<(std::basic_ostream<Char, Traits>& out, const interval<double, P>& x) {
-  const bool hexadecimal = (out.flags() & std::ios_base::floatfield) ==
-                           (std::ios_base::fixed | std::ios_base::scientific);
+  using stream = std::basic_ostream<Char, Traits>;
+  const bool hexadecimal =
+      (out.flags() & stream::floatfield) == (stream::fixed | stream::scientific);
   std::basic_string<Char, Traits> text;
   for (const char c : graze::detail::to_text(x, hexadecimal))
     text += out.widen(c);

@@ -5,16 +5,7 @@
 #include <graze/needs_cxx20.hpp>
 
 #include <graze/boolean.hpp>
-#include <graze/functions/arithmetic.hpp>
-#include <graze/functions/exponential.hpp>
-#include <graze/functions/hyperbolic.hpp>
-#include <graze/functions/integer_power.hpp>
-#include <graze/functions/power.hpp>
-#include <graze/functions/reciprocal_hyperbolic.hpp>
-#include <graze/functions/reciprocal_trigonometric.hpp>
-#include <graze/functions/reverse.hpp>
-#include <graze/functions/sets.hpp>
-#include <graze/functions/trigonometric.hpp>
+#include <graze/decorated_functions.hpp>
 #include <graze/interval_type.hpp>
 #include <graze/numeric.hpp>
 #include <graze/text.hpp>

@@ -39,7 +39,7 @@ template <rounding::Backend B = rounding::nearest>
 using interval = boost::numeric::interval<double, typename detail::interval_policies<B>::type>;
 
 /// For inner loops: the operations assume that the caller holds a `typename B::scope`.
-template <rounding::Backend B> using unprotected = interval<rounding::held<B>>;
+template <rounding::Backend B> using unprotected = interval<rounding::held_once<B>>;
 
 // Found beside the overloads below whether called by name or by argument. Tightest as they are:
 // -x, x + y, x - y, x * y, sqrt, square, abs, min, max of intervals.

@@ -44,7 +44,7 @@ struct split {
     }
     ~scope() {
       constexpr unsigned masks = 0x3f;
-      if ((control_ & masks) == masks) [[likely]]
+      if (__builtin_expect((control_ & masks) == masks, true))
         hardware::set_x87_control(control_);
       else
         detail::restore_x87_trapping(control_, flags_);
