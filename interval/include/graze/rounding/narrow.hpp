@@ -114,4 +114,7 @@ constexpr double widened(float x) {
                                         std::uint64_t{bits >> 31} << 63);
 }
 
+/// For templates over both.
+constexpr double widened(double x) { return x; }
+
 } // namespace graze::rounding
