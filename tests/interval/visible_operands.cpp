@@ -47,6 +47,23 @@ template <class B> void cases() {
   expect(B::name, "upper end of 0.1 + 0.7", other.upper(), 0x1.999999999999ap-1);
 }
 
+/// Double results that are floats where the exact ones are not, or that overflow as floats.
+template <class B> void float_cases() {
+  using F = graze::float_interval<B>;
+  const auto both = [](const char* what, const F& x, double lower, double upper) {
+    expect(B::name, what, x.lower(), lower);
+    expect(B::name, what, x.upper(), upper);
+  };
+  both("1/3 of floats", F(1.0f) / F(3.0f), 0x1.555554p-2, 0x1.555556p-2);
+  both("1 + 2^-60 of floats", F(1.0f) + F(0x1p-60f), 1, 0x1.000002p+0);
+  both("1 - 2^-60 of floats", F(1.0f) - F(0x1p-60f), 0x1.fffffep-1, 1);
+  both("2^-100 squared", F(0x1p-100f) * F(0x1p-100f), 0, 0x1p-149);
+  both("2^127 * 2 of floats", F(0x1p127f) * F(2.0f), 0x1.fffffep+127, __builtin_inf());
+  both("sqrt 2 of floats", sqrt(F(2.0f)), 0x1.6a09e6p+0, 0x1.6a09e8p+0);
+  both("0.1 as floats", F(0.1), 0x1.999998p-4, 0x1.99999ap-4);
+  both("2^24 + 1 as floats", F(16777217), 0x1p24, 0x1.000002p+24);
+}
+
 /// The caller's product beside the backend's sum, where -ffp-contract=fast would like to fuse them.
 template <class B> [[gnu::noinline]] double product_then_sum(double x, double y, double z) {
   [[maybe_unused]] const typename B::scope scope;
@@ -69,6 +86,10 @@ int visible_operands() {
   cases<rounding::upward>();
   cases<rounding::nearest>();
   cases<rounding::split>();
+  float_cases<rounding::switching>();
+  float_cases<rounding::upward>();
+  float_cases<rounding::nearest>();
+  float_cases<rounding::split>();
   // (1 + 2^-52)^2 = 1 + 2^-51 + 2^-104: rounded first, its sum with -(1 + 2^-51) is 0, a fused one
   // 2^-104
   const double x = 0x1.0000000000001p+0, z = -0x1.0000000000002p+0;

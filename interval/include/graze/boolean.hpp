@@ -63,7 +63,7 @@ constexpr bool is_nai(const decorated_bounds& x) { return x.is_nai(); }
 
 #define GRAZE_UNARY_TEST(name)                                                                     \
   constexpr bool name(const decorated_bounds& x) { return !x.is_nai() && name(x.part); }           \
-  template <Policies P> bool name(const interval_of<P>& x) { return name(to_bounds(x)); }
+  template <Real N, Policies P> bool name(const interval_of<P, N>& x) { return name(to_bounds(x)); }
 GRAZE_UNARY_TEST(is_empty)
 GRAZE_UNARY_TEST(is_entire)
 GRAZE_UNARY_TEST(is_singleton)
@@ -71,7 +71,7 @@ GRAZE_UNARY_TEST(is_common_interval)
 #undef GRAZE_UNARY_TEST
 
 constexpr bool is_member(double m, const decorated_bounds& x) { return is_member(m, x.part); }
-template <Policies P> bool is_member(double m, const interval_of<P>& x) {
+template <Real N, Policies P> bool is_member(double m, const interval_of<P, N>& x) {
   return is_member(m, to_bounds(x));
 }
 
@@ -79,7 +79,8 @@ template <Policies P> bool is_member(double m, const interval_of<P>& x) {
   constexpr bool name(const decorated_bounds& x, const decorated_bounds& y) {                      \
     return !x.is_nai() && !y.is_nai() && name(x.part, y.part);                                     \
   }                                                                                                \
-  template <Policies P> bool name(const interval_of<P>& x, const interval_of<P>& y) {              \
+  template <Real N, Policies P>                                                                    \
+  bool name(const interval_of<P, N>& x, const interval_of<P, N>& y) {                              \
     return name(to_bounds(x), to_bounds(y));                                                       \
   }
 GRAZE_BINARY_TEST(equal)

@@ -44,24 +44,37 @@ inline constexpr bool has_remainder =
 
 /// A number type beside intervals for which Boost's own operators would convert it to double
 /// unasked.
-template <class N>
+template <class N, class Bound>
 inline constexpr bool other_number =
-    is_number<N> && !std::is_same_v<N, double> && !std::is_same_v<N, int>;
+    is_number<N> && !std::is_same_v<N, Bound> && !std::is_same_v<N, int>;
+/// One that may be no Bound.
+template <class N, class Bound>
+inline constexpr bool inexact_number = is_number<N> && !exactly_a<Bound, N>;
 
 template <class I> bool is_none(const I& x) {
   return I::traits_type::checking::is_empty(x.lower(), x.upper());
 }
 template <class I> graze_interval to_c(const I& x) {
-  return is_none(x) ? graze_empty() : graze_interval{x.lower(), x.upper()};
+  return is_none(x) ? graze_empty()
+                    : graze_interval{rounding::widened(x.lower()), rounding::widened(x.upper())};
 }
 /// As the checking of I has it: the empty set and what is unbounded are its own.
 template <class I> I from_c(const graze_interval& x) {
   using checking = typename I::traits_type::checking;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  using Bound = typename I::base_type;
+  constexpr Bound infinity = std::numeric_limits<Bound>::infinity();
   if (!(x.inf <= x.sup))
     return I::empty();
-  return I(x.inf == -infinity ? checking::neg_inf() : x.inf,
-           x.sup == infinity ? checking::pos_inf() : x.sup, true);
+  const Bound lower = round_down_to<Bound>(x.inf), upper = round_up_to<Bound>(x.sup);
+  return I(lower == -infinity ? static_cast<Bound>(checking::neg_inf()) : lower,
+           upper == infinity ? static_cast<Bound>(checking::pos_inf()) : upper, true);
+}
+/// What stands for an int in an operation with an I.
+template <class I> auto operand(int n) {
+  if constexpr (std::is_same_v<typename I::base_type, double>)
+    return static_cast<double>(n);
+  else
+    return I(n);
 }
 
 /// Encloses { t^n : t in x } for an integer n in [down, up] beyond int.
@@ -120,193 +133,14 @@ namespace GRAZE_BOOST_NAMESPACE::numeric {
 
 template <class, class> class interval;
 
-template <class P, bool condition = true>
-using rounded_interval =
-    std::enable_if_t<graze::detail::rounded<P> && condition, interval<double, P>>;
+template <class T, class P, bool condition = true>
+using rounded_interval = std::enable_if_t<graze::detail::rounded<P> && condition, interval<T, P>>;
 
-#define GRAZE_UNARY(name, function)                                                                \
-  template <class P> rounded_interval<P> name(const interval<double, P>& x) {                      \
-    return graze::detail::from_c<interval<double, P>>(graze_##function(graze::detail::to_c(x)));   \
-  }
-GRAZE_UNARY(exp, exp)
-GRAZE_UNARY(log, log)
-GRAZE_UNARY(sin, sin)
-GRAZE_UNARY(cos, cos)
-GRAZE_UNARY(tan, tan)
-GRAZE_UNARY(asin, asin)
-GRAZE_UNARY(acos, acos)
-GRAZE_UNARY(atan, atan)
-GRAZE_UNARY(sinh, sinh)
-GRAZE_UNARY(cosh, cosh)
-GRAZE_UNARY(tanh, tanh)
-GRAZE_UNARY(asinh, asinh)
-GRAZE_UNARY(acosh, acosh)
-GRAZE_UNARY(atanh, atanh)
-#undef GRAZE_UNARY
-
-/// Encloses { t^n : t in x }, t != 0 for n < 0; t^0 = 1.
-template <class P> rounded_interval<P> pow(const interval<double, P>& x, int n) {
-  return graze::detail::from_c<interval<double, P>>(graze_pown(graze::detail::to_c(x), n));
-}
-/// The same for an integer n of any type and size; for any other n, { t^n : t in x, t > 0, or t = 0
-/// and n > 0 }.
-template <class P, class N>
-rounded_interval<P, (graze::detail::is_number<N> && !std::is_enum_v<N>)>
-pow(const interval<double, P>& x, const N& n) {
-  return graze::detail::from_c<interval<double, P>>(
-      graze::detail::power(graze::detail::to_c(x), n));
-}
-/// Encloses { s^t : s in x, t in y, s > 0, or s = 0 and t > 0 }.
-template <class P>
-rounded_interval<P> pow(const interval<double, P>& x, const interval<double, P>& y) {
-  return graze::detail::from_c<interval<double, P>>(
-      graze_pow(graze::detail::to_c(x), graze::detail::to_c(y)));
-}
-/// Encloses { s : s^n in x }, s >= 0 for n even; n > 0.
-template <class P> rounded_interval<P> nth_root(const interval<double, P>& x, int n) {
-  return graze::detail::from_c<interval<double, P>>(graze_rootn(graze::detail::to_c(x), n));
-}
-
-/// Encloses { fmod(s, t) : s in x, t in y, t != 0 }, with C's fmod: s - trunc(s / t) t, of s's
-/// sign. Not on unprotect<interval>: there Boost's own, x - n y for one integer n, is what its
-/// algorithms need.
-template <class P>
-rounded_interval<P, (graze::detail::has_remainder<P>)> fmod(const interval<double, P>& x,
-                                                            const interval<double, P>& y) {
-  return graze::detail::from_c<interval<double, P>>(
-      graze_fmod(graze::detail::to_c(x), graze::detail::to_c(y)));
-}
-template <class P>
-rounded_interval<P, (graze::detail::has_remainder<P>)> fmod(const interval<double, P>& x,
-                                                            const double& y) {
-  return fmod(x, interval<double, P>(y));
-}
-template <class P>
-rounded_interval<P, (graze::detail::has_remainder<P>)> fmod(const double& x,
-                                                            const interval<double, P>& y) {
-  return fmod(interval<double, P>(x), y);
-}
-
-/// Boost's quotient, but for a divisor that reaches 0 from one side and a dividend that ends at 0:
-/// [-1, 0] / [0, 1] is [-inf, 0], and not entire.
-template <class P>
-rounded_interval<P> operator/(const interval<double, P>& x, const interval<double, P>& y) {
-  const bool one_side = (y.lower() == 0) != (y.upper() == 0);
-  if (one_side && (x.lower() == 0 || x.upper() == 0) && !graze::detail::is_none(x) &&
-      !graze::detail::is_none(y))
-    return graze::detail::from_c<interval<double, P>>(
-        graze_div(graze::detail::to_c(x), graze::detail::to_c(y)));
-  return operator/ <double, P>(x, y);
-}
-
-namespace interval_lib {
-/// The same of Boost's quotient in two parts.
-template <class P>
-rounded_interval<P> division_part1(const interval<double, P>& x, const interval<double, P>& y,
-                                   bool& more) {
-  if (y.lower() < 0 && 0 < y.upper())
-    return division_part1<double, P>(x, y, more);
-  more = false;
-  return x / y;
-}
-} // namespace interval_lib
-
-// x + n and so on for other numbers than double, which Boost has. One that may be no double is the
-// tightest interval that holds it; an int is one. (Boost's ext/integer.hpp has int only, and takes
-// what converts to it.)
-#define GRAZE_MIXED(operation)                                                                     \
-  template <class P> rounded_interval<P> operator operation(const interval<double, P>& x, int n) { \
-    return x operation static_cast<double>(n);                                                     \
-  }                                                                                                \
-  template <class P> rounded_interval<P> operator operation(int n, const interval<double, P>& x) { \
-    return static_cast<double>(n) operation x;                                                     \
-  }                                                                                                \
-  template <class P, class N>                                                                      \
-  rounded_interval<P, graze::detail::other_number<N>> operator operation(                          \
-      const interval<double, P>& x, const N & n) {                                                 \
-    return x operation interval<double, P>(n);                                                     \
-  }                                                                                                \
-  template <class P, class N>                                                                      \
-  rounded_interval<P, graze::detail::other_number<N>> operator operation(                          \
-      const N & n, const interval<double, P>& x) {                                                 \
-    return interval<double, P>(n) operation x;                                                     \
-  }                                                                                                \
-  template <class P, class N>                                                                      \
-  std::enable_if_t<graze::detail::rounded<P> && graze::detail::other_number<N>,                    \
-                   interval<double, P>&> operator operation##=(interval<double, P>& x,             \
-                                                               const N & n) {                      \
-    return x operation## = interval<double, P>(n);                                                 \
-  }
-GRAZE_MIXED(+)
-GRAZE_MIXED(-)
-GRAZE_MIXED(*)
-GRAZE_MIXED(/)
-#undef GRAZE_MIXED
-
-#define GRAZE_MIXED(name)                                                                          \
-  template <class P, class N>                                                                      \
-  rounded_interval<P, (graze::detail::is_number<N> && !std::is_same_v<N, double>)> name(           \
-      const interval<double, P>& x, const N& n) {                                                  \
-    return name(x, interval<double, P>(n));                                                        \
-  }                                                                                                \
-  template <class P, class N>                                                                      \
-  rounded_interval<P, (graze::detail::is_number<N> && !std::is_same_v<N, double>)> name(           \
-      const N& n, const interval<double, P>& x) {                                                  \
-    return name(interval<double, P>(n), x);                                                        \
-  }
-GRAZE_MIXED(fmod)
-GRAZE_MIXED(hull)
-GRAZE_MIXED(max)
-GRAZE_MIXED(min)
-#undef GRAZE_MIXED
-
-/// Is the number n a member of x?
-template <class P, class N>
-std::enable_if_t<
-    graze::detail::rounded<P> && graze::detail::is_number<N> && !std::is_same_v<N, double>, bool>
-in(const N& n, const interval<double, P>& x) {
-  return graze::detail::round_down(n) == graze::detail::round_up(n)
-             ? in(graze::detail::round_down(n), x)
-             : in(graze::detail::round_down(n), x) && in(graze::detail::round_up(n), x);
-}
-
-// Boost's comparisons (which throw when unsure) with a number that may be no double: in the double
-// next to it that gives the same answer. Policies with comparisons of ours have their own.
-#define GRAZE_COMPARE(operation, round)                                                            \
-  template <class P, class N>                                                                      \
-  std::enable_if_t<graze::detail::rounded<P> && !graze::detail::compares_by_policy<P> &&           \
-                       graze::detail::other_number<N> && !graze::detail::exactly_a_double<N>,      \
-                   bool> operator operation(const interval<double, P>& x, const N & n) {           \
-    return x.operator operation(graze::detail::round(n));                                          \
-  }
-GRAZE_COMPARE(<, round_up)
-GRAZE_COMPARE(<=, round_down)
-GRAZE_COMPARE(>, round_down)
-GRAZE_COMPARE(>=, round_up)
-#undef GRAZE_COMPARE
-#define GRAZE_COMPARE(operation)                                                                   \
-  template <class P, class N>                                                                      \
-  std::enable_if_t<graze::detail::rounded<P> && !graze::detail::compares_by_policy<P> &&           \
-                       graze::detail::other_number<N> && !graze::detail::exactly_a_double<N>,      \
-                   bool> operator operation(const interval<double, P>& x, const N & n) {           \
-    return x.operator operation(interval<double, P>(n));                                           \
-  }
-GRAZE_COMPARE(==)
-GRAZE_COMPARE(!=)
-#undef GRAZE_COMPARE
-
-/// "[1,2]", enclosing: at each end the shortest decimal beyond the bound and before the next
-/// double; the bounds themselves under std::hexfloat. "[]" is empty.
-template <class Char, class Traits, class P>
-std::enable_if_t<graze::detail::rounded<P>, std::basic_ostream<Char, Traits>&>
-operator<<(std::basic_ostream<Char, Traits>& out, const interval<double, P>& x) {
-  using stream = std::basic_ostream<Char, Traits>;
-  const bool hexadecimal =
-      (out.flags() & stream::floatfield) == (stream::fixed | stream::scientific);
-  std::basic_string<Char, Traits> text;
-  for (const char c : graze::detail::to_text(x, hexadecimal))
-    text += out.widen(c);
-  return out << text;
-}
+#define GRAZE_BOUND double
+#include <graze/boost_functions_of_bound.hpp>
+#undef GRAZE_BOUND
+#define GRAZE_BOUND float
+#include <graze/boost_functions_of_bound.hpp>
+#undef GRAZE_BOUND
 
 } // namespace GRAZE_BOOST_NAMESPACE::numeric

@@ -4,6 +4,7 @@
 #include <graze/needs_cxx20.hpp>
 
 #include <graze/interval_type.hpp>
+#include <graze/rounding/narrow.hpp>
 #include <limits>
 
 namespace graze {
@@ -30,13 +31,18 @@ struct bounds {
   }
 };
 
-template <Policies P> bounds to_bounds(const interval_of<P>& x) {
-  const double lo = x.lower(), hi = x.upper();
+/// Exact.
+template <Real N, Policies P> bounds to_bounds(const interval_of<P, N>& x) {
+  const double lo = rounding::widened(x.lower()), hi = rounding::widened(x.upper());
   // not so for a NaN, for lo > hi, nor (inf - inf) for [inf, inf] and [-inf, -inf]
   return hi - lo >= 0 ? bounds{lo, hi} : bounds::empty();
 }
-template <Policies P> interval_of<P> to_interval(const bounds& x) {
-  return interval_of<P>(x.lo, x.hi, true);
+/// The tightest interval that holds x: of doubles, x.
+template <Policies P, Real N = double> interval_of<P, N> to_interval(const bounds& x) {
+  if constexpr (std::same_as<N, float>)
+    return interval_of<P, N>(rounding::narrow_down(x.lo), rounding::narrow_up(x.hi), true);
+  else
+    return interval_of<P, N>(x.lo, x.hi, true);
 }
 
 } // namespace graze

@@ -15,9 +15,9 @@ namespace graze {
 namespace detail {
 
 template <class X> inline constexpr bool compares_as_certain = false;
-template <class P>
+template <Real N, class P>
   requires std::same_as<typename P::comparison, certain_comparison>
-inline constexpr bool compares_as_certain<boost::numeric::interval<double, P>> = true;
+inline constexpr bool compares_as_certain<boost::numeric::interval<N, P>> = true;
 
 /// What is compared of an operand.
 struct ends {
@@ -29,7 +29,8 @@ struct ends {
 /// is, and at most it where the upper one is.
 template <class X> ends ends_for_less(const X& x) {
   if constexpr (compares_as_certain<X>) {
-    return {x.lower(), x.upper(), checking::is_empty(x.lower(), x.upper())};
+    const double lower = rounding::widened(x.lower()), upper = rounding::widened(x.upper());
+    return {lower, upper, checking::is_empty(lower, upper)};
   } else {
     const double down = round_down(x), up = round_up(x);
     return {up, down, checking::is_empty(down, up)};

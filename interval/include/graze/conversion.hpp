@@ -1,6 +1,7 @@
 #pragma once
 /// Any number as the nearest doubles below and above it. C++17.
 #include <cmath>
+#include <graze/rounding/narrow.hpp>
 #include <limits>
 #include <type_traits>
 
@@ -78,6 +79,25 @@ template <class N> double round_up(const N& v) {
     return near;
   }
 }
+
+/// The greatest Bound (double or float) <= v, and the least >= v.
+template <class Bound, class N> Bound round_down_to(const N& v) {
+  if constexpr (std::is_same_v<Bound, float> && !std::is_same_v<N, float>)
+    return rounding::narrow_down(round_down(v));
+  else
+    return static_cast<Bound>(round_down(v));
+}
+template <class Bound, class N> Bound round_up_to(const N& v) {
+  if constexpr (std::is_same_v<Bound, float> && !std::is_same_v<N, float>)
+    return rounding::narrow_up(round_up(v));
+  else
+    return static_cast<Bound>(round_up(v));
+}
+/// Is every value of N a Bound?
+template <class Bound, class N>
+inline constexpr bool exactly_a =
+    std::is_same_v<Bound, double> ? exactly_a_double<N>
+                                  : std::is_same_v<N, float> || (is_integer<N> && sizeof(N) <= 2);
 
 } // namespace detail
 

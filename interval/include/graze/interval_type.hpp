@@ -139,23 +139,25 @@ template <Policies P> interval_of<P> operator/(const double& x, const interval_o
 
 /// x^2: for an interval the tightest enclosure of { t^2 : t in x }, for a double x * x. One formula
 /// serves both.
-template <Policies P> interval_of<P> sqr(const interval_of<P>& x) { return square(x); }
+template <Real N, Policies P> interval_of<P, N> sqr(const interval_of<P, N>& x) {
+  return square(x);
+}
 constexpr double sqr(double x) { return x * x; }
 
-/// The least double >= upper - lower; NaN for the empty set.
-template <Policies P> double width(const interval_of<P>& x) {
+/// The least number (double or float, as the bounds are) >= upper - lower; NaN for the empty set.
+template <Real N, Policies P> N width(const interval_of<P, N>& x) {
   if (empty(x))
-    return checking::nan();
+    return std::numeric_limits<N>::quiet_NaN();
   typename P::rounding rnd;
   return rnd.sub_up(x.upper(), x.lower());
 }
 /// max { |t| : t in x }, exact, never -0; NaN for the empty set.
-template <Policies P> double mag(const interval_of<P>& x) {
-  return empty(x) ? checking::nan() : std::max({0.0, -x.lower(), x.upper()});
+template <Real N, Policies P> N mag(const interval_of<P, N>& x) {
+  return empty(x) ? std::numeric_limits<N>::quiet_NaN() : std::max({N{0}, -x.lower(), x.upper()});
 }
-/// A finite double in x, near the middle; NaN for the empty set.
-template <Policies P> double mid(const interval_of<P>& x) {
-  return empty(x) ? checking::nan() : P::rounding::median(x.lower(), x.upper());
+/// A finite number in x, near the middle; NaN for the empty set.
+template <Real N, Policies P> N mid(const interval_of<P, N>& x) {
+  return empty(x) ? std::numeric_limits<N>::quiet_NaN() : P::rounding::median(x.lower(), x.upper());
 }
 
 } // namespace graze
@@ -163,7 +165,7 @@ template <Policies P> double mid(const interval_of<P>& x) {
 namespace boost::numeric {
 using graze::width;
 /// Is the number x a member of y? Infinities are none.
-template <graze::Policies P> bool in(const double& x, const interval<double, P>& y) {
+template <graze::Real N, graze::Policies P> bool in(const N& x, const interval<N, P>& y) {
   return -graze::checking::infinity < x && x < graze::checking::infinity && !empty(y) &&
          y.lower() <= x && x <= y.upper();
 }
@@ -172,3 +174,4 @@ template <graze::Policies P> bool in(const double& x, const interval<double, P>&
 #if defined(__x86_64__)
 #include <graze/packed_arithmetic.hpp>
 #endif
+#include <graze/float_interval.hpp>

@@ -11,9 +11,10 @@
 
 namespace graze {
 
-struct centre {
-  double mid, rad;
+template <Real N> struct centre_of {
+  N mid, rad;
 };
+using centre = centre_of<double>;
 
 /// The greatest lower bound; a zero is -0, of the empty set +inf. Exact.
 constexpr double inf(const bounds& x) {
@@ -28,12 +29,16 @@ constexpr double sup(const bounds& x) {
 inline double mid(const bounds& x) {
   return x.is_empty() ? checking::nan() : boost_rounding<rounding::nearest>::median(x.lo, x.hi);
 }
+namespace detail {
+template <Real N> N radius(N lo, N hi) {
+  using round = boost_rounding<rounding::nearest>;
+  const N m = round::median(lo, hi);
+  return std::max(round::sub_up(m, lo), round::sub_up(hi, m));
+}
+} // namespace detail
 /// The least double r such that [m - r, m + r] holds x, for m = mid(x).
 inline double rad(const bounds& x) {
-  if (x.is_empty())
-    return checking::nan();
-  const double m = mid(x);
-  return std::max(rounding::nearest::sub_up(m, x.lo), rounding::nearest::sub_up(x.hi, m));
+  return x.is_empty() ? checking::nan() : detail::radius(x.lo, x.hi);
 }
 /// mid and rad, which belong together.
 inline centre mid_rad(const bounds& x) { return {mid(x), rad(x)}; }
@@ -50,13 +55,27 @@ constexpr double mig(const bounds& x) {
   return x.is_empty() ? checking::nan() : std::max({0.0, x.lo, -x.hi});
 }
 
-// mid and mag of intervals are in graze/interval.hpp.
-template <Policies P> double inf(const interval_of<P>& x) { return inf(to_bounds(x)); }
-template <Policies P> double sup(const interval_of<P>& x) { return sup(to_bounds(x)); }
-template <Policies P> double rad(const interval_of<P>& x) { return rad(to_bounds(x)); }
-template <Policies P> centre mid_rad(const interval_of<P>& x) { return mid_rad(to_bounds(x)); }
-template <Policies P> double wid(const interval_of<P>& x) { return wid(to_bounds(x)); }
-template <Policies P> double mig(const interval_of<P>& x) { return mig(to_bounds(x)); }
+// mid and mag of intervals are in graze/interval.hpp. Of float intervals all are floats: mid and
+// rad as said above with floats for doubles.
+template <Real N, Policies P> N inf(const interval_of<P, N>& x) {
+  return static_cast<N>(inf(to_bounds(x)));
+}
+template <Real N, Policies P> N sup(const interval_of<P, N>& x) {
+  return static_cast<N>(sup(to_bounds(x)));
+}
+template <Real N, Policies P> N rad(const interval_of<P, N>& x) {
+  return empty(x) ? static_cast<N>(checking::nan()) : detail::radius(x.lower(), x.upper());
+}
+template <Real N, Policies P> centre_of<N> mid_rad(const interval_of<P, N>& x) {
+  return {mid(x), rad(x)};
+}
+template <Real N, Policies P> N wid(const interval_of<P, N>& x) {
+  return empty(x) ? static_cast<N>(checking::nan())
+                  : boost_rounding<rounding::nearest>::sub_up(x.upper(), x.lower());
+}
+template <Real N, Policies P> N mig(const interval_of<P, N>& x) {
+  return static_cast<N>(mig(to_bounds(x)));
+}
 
 inline double inf(const decorated_bounds& x) { return x.is_nai() ? checking::nan() : inf(x.part); }
 inline double sup(const decorated_bounds& x) { return x.is_nai() ? checking::nan() : sup(x.part); }

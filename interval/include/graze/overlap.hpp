@@ -54,7 +54,8 @@ constexpr overlap_state overlap(const bounds& x, const bounds& y) {
 constexpr overlap_state overlap(const decorated_bounds& x, const decorated_bounds& y) {
   return x.is_nai() || y.is_nai() ? overlap_state::undefined : overlap(x.part, y.part);
 }
-template <Policies P> overlap_state overlap(const interval_of<P>& x, const interval_of<P>& y) {
+template <Real N, Policies P>
+overlap_state overlap(const interval_of<P, N>& x, const interval_of<P, N>& y) {
   return overlap(to_bounds(x), to_bounds(y));
 }
 

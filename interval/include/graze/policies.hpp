@@ -27,6 +27,10 @@ template <rounding::Backend B = rounding::nearest> struct policies {
 template <class P>
 concept Policies = std::same_as<typename P::checking, checking>;
 
-template <Policies P> using interval_of = boost::numeric::interval<double, P>;
+/// What the bounds of intervals may be.
+template <class N>
+concept Real = std::same_as<N, double> || std::same_as<N, float>;
+
+template <Policies P, Real N = double> using interval_of = boost::numeric::interval<N, P>;
 
 } // namespace graze

@@ -38,8 +38,8 @@ enum class text_style {
 std::string interval_to_text(const bounds& x, text_style style = text_style::decimal);
 /// With the decoration: "[1, 2]_com", "[nai]".
 std::string interval_to_text(const decorated_bounds& x, text_style style = text_style::decimal);
-template <Policies P>
-std::string interval_to_text(const interval_of<P>& x, text_style style = text_style::decimal) {
+template <Real N, Policies P>
+std::string interval_to_text(const interval_of<P, N>& x, text_style style = text_style::decimal) {
   return interval_to_text(to_bounds(x), style);
 }
 

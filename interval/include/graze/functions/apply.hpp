@@ -24,7 +24,7 @@
 namespace graze {
 
 namespace detail {
-template <Policies P> bounds as_bounds(const interval_of<P>& x) { return to_bounds(x); }
+template <Real N, Policies P> bounds as_bounds(const interval_of<P, N>& x) { return to_bounds(x); }
 inline bounds as_bounds(const bounds& x) { return x; }
 inline bounds as_bounds(const decorated_bounds& x) { return x.part; }
 template <std::integral Integer> Integer as_bounds(Integer n) { return n; }
@@ -37,9 +37,9 @@ template <std::integral Integer> decoration label_of(Integer) { return decoratio
 } // namespace detail
 
 /// F on bare intervals of the policies P.
-template <class F, Policies P, class... Operands>
-interval_of<P> apply(const interval_of<P>& x, const Operands&... more) {
-  return to_interval<P>(F::value(to_bounds(x), detail::as_bounds(more)...));
+template <class F, Real N, Policies P, class... Operands>
+interval_of<P, N> apply(const interval_of<P, N>& x, const Operands&... more) {
+  return to_interval<P, N>(F::value(to_bounds(x), detail::as_bounds(more)...));
 }
 
 /// The decoration of F's result `value` on these bounds, before the operands' own are joined.

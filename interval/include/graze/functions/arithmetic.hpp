@@ -58,29 +58,30 @@ GRAZE_STEP_FUNCTION(round_ties_to_away); ///< the nearest integer, of two the on
 } // namespace functions
 
 // +, -, *, /, sqr, sqrt, abs, min and max of intervals are in graze/interval.hpp.
-template <Policies P> interval_of<P> recip(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> recip(const interval_of<P, N>& x) {
   return apply<functions::recip>(x);
 }
-template <Policies P>
-interval_of<P> fma(const interval_of<P>& x, const interval_of<P>& y, const interval_of<P>& z) {
+template <Real N, Policies P>
+interval_of<P, N> fma(const interval_of<P, N>& x, const interval_of<P, N>& y,
+                      const interval_of<P, N>& z) {
   return apply<functions::fma>(x, y, z);
 }
-template <Policies P> interval_of<P> sign(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> sign(const interval_of<P, N>& x) {
   return apply<functions::sign>(x);
 }
-template <Policies P> interval_of<P> ceil(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> ceil(const interval_of<P, N>& x) {
   return apply<functions::ceil>(x);
 }
-template <Policies P> interval_of<P> floor(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> floor(const interval_of<P, N>& x) {
   return apply<functions::floor>(x);
 }
-template <Policies P> interval_of<P> trunc(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> trunc(const interval_of<P, N>& x) {
   return apply<functions::trunc>(x);
 }
-template <Policies P> interval_of<P> round_ties_to_even(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> round_ties_to_even(const interval_of<P, N>& x) {
   return apply<functions::round_ties_to_even>(x);
 }
-template <Policies P> interval_of<P> round_ties_to_away(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> round_ties_to_away(const interval_of<P, N>& x) {
   return apply<functions::round_ties_to_away>(x);
 }
 

@@ -45,35 +45,35 @@ struct logp1 {
 } // namespace functions
 
 /// Encloses { e^t : t in x }.
-template <Policies P> interval_of<P> exp(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> exp(const interval_of<P, N>& x) {
   return apply<functions::exp>(x);
 }
 /// Encloses { 2^t : t in x }.
-template <Policies P> interval_of<P> exp2(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> exp2(const interval_of<P, N>& x) {
   return apply<functions::exp2>(x);
 }
 /// Encloses { 10^t : t in x }.
-template <Policies P> interval_of<P> exp10(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> exp10(const interval_of<P, N>& x) {
   return apply<functions::exp10>(x);
 }
 /// Encloses { e^t - 1 : t in x }.
-template <Policies P> interval_of<P> expm1(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> expm1(const interval_of<P, N>& x) {
   return apply<functions::expm1>(x);
 }
 /// Encloses { log t : t in x, t > 0 }.
-template <Policies P> interval_of<P> log(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> log(const interval_of<P, N>& x) {
   return apply<functions::log>(x);
 }
 /// Encloses { log_2 t : t in x, t > 0 }.
-template <Policies P> interval_of<P> log2(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> log2(const interval_of<P, N>& x) {
   return apply<functions::log2>(x);
 }
 /// Encloses { log_10 t : t in x, t > 0 }.
-template <Policies P> interval_of<P> log10(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> log10(const interval_of<P, N>& x) {
   return apply<functions::log10>(x);
 }
 /// Encloses { log(1 + t) : t in x, t > -1 }.
-template <Policies P> interval_of<P> logp1(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> logp1(const interval_of<P, N>& x) {
   return apply<functions::logp1>(x);
 }
 

@@ -37,27 +37,27 @@ struct atanh {
 } // namespace functions
 
 /// Encloses { sinh t : t in x }.
-template <Policies P> interval_of<P> sinh(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> sinh(const interval_of<P, N>& x) {
   return apply<functions::sinh>(x);
 }
 /// Encloses { cosh t : t in x }.
-template <Policies P> interval_of<P> cosh(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> cosh(const interval_of<P, N>& x) {
   return apply<functions::cosh>(x);
 }
 /// Encloses { tanh t : t in x }.
-template <Policies P> interval_of<P> tanh(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> tanh(const interval_of<P, N>& x) {
   return apply<functions::tanh>(x);
 }
 /// Encloses { asinh t : t in x }.
-template <Policies P> interval_of<P> asinh(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> asinh(const interval_of<P, N>& x) {
   return apply<functions::asinh>(x);
 }
 /// Encloses { acosh t : t in x, t >= 1 }.
-template <Policies P> interval_of<P> acosh(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> acosh(const interval_of<P, N>& x) {
   return apply<functions::acosh>(x);
 }
 /// Encloses { atanh t : t in x, |t| < 1 }.
-template <Policies P> interval_of<P> atanh(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> atanh(const interval_of<P, N>& x) {
   return apply<functions::atanh>(x);
 }
 

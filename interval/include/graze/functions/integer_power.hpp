@@ -31,10 +31,10 @@ struct rootn {
 };
 } // namespace functions
 
-template <Policies P> interval_of<P> pown(const interval_of<P>& x, int n) {
+template <Real N, Policies P> interval_of<P, N> pown(const interval_of<P, N>& x, int n) {
   return apply<functions::pown>(x, n);
 }
-template <Policies P> interval_of<P> rootn(const interval_of<P>& x, int n) {
+template <Real N, Policies P> interval_of<P, N> rootn(const interval_of<P, N>& x, int n) {
   return apply<functions::rootn>(x, n);
 }
 

@@ -25,16 +25,18 @@ struct pow {
 } // namespace functions
 
 /// Encloses { the real cube root of t : t in x }.
-template <Policies P> interval_of<P> cbrt(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> cbrt(const interval_of<P, N>& x) {
   return apply<functions::cbrt>(x);
 }
 /// Encloses { sqrt(s^2 + t^2) : s in x, t in y }.
-template <Policies P> interval_of<P> hypot(const interval_of<P>& x, const interval_of<P>& y) {
+template <Real N, Policies P>
+interval_of<P, N> hypot(const interval_of<P, N>& x, const interval_of<P, N>& y) {
   return apply<functions::hypot>(x, y);
 }
 /// Encloses { s^t : s in x, t in y, s > 0 or (s = 0 and t > 0) }: e^(t log s), and 0 for s = 0. For
 /// integer powers of negative numbers see pown.
-template <Policies P> interval_of<P> pow(const interval_of<P>& x, const interval_of<P>& y) {
+template <Real N, Policies P>
+interval_of<P, N> pow(const interval_of<P, N>& x, const interval_of<P, N>& y) {
   return apply<functions::pow>(x, y);
 }
 

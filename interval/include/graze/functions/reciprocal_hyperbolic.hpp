@@ -38,16 +38,16 @@ struct acoth {
 };
 } // namespace functions
 
-template <Policies P> interval_of<P> coth(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> coth(const interval_of<P, N>& x) {
   return apply<functions::coth>(x);
 }
-template <Policies P> interval_of<P> sech(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> sech(const interval_of<P, N>& x) {
   return apply<functions::sech>(x);
 }
-template <Policies P> interval_of<P> csch(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> csch(const interval_of<P, N>& x) {
   return apply<functions::csch>(x);
 }
-template <Policies P> interval_of<P> acoth(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> acoth(const interval_of<P, N>& x) {
   return apply<functions::acoth>(x);
 }
 

@@ -39,16 +39,16 @@ struct acot {
 };
 } // namespace functions
 
-template <Policies P> interval_of<P> cot(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> cot(const interval_of<P, N>& x) {
   return apply<functions::cot>(x);
 }
-template <Policies P> interval_of<P> sec(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> sec(const interval_of<P, N>& x) {
   return apply<functions::sec>(x);
 }
-template <Policies P> interval_of<P> csc(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> csc(const interval_of<P, N>& x) {
   return apply<functions::csc>(x);
 }
-template <Policies P> interval_of<P> acot(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> acot(const interval_of<P, N>& x) {
   return apply<functions::acot>(x);
 }
 

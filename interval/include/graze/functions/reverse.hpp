@@ -97,74 +97,86 @@ struct pow_rev2 {
 namespace graze {
 
 /// { t in x : t^2 in c }, and so on: see the table above.
-template <Policies P> interval_of<P> sqr_rev(const interval_of<P>& c) {
+template <Real N, Policies P> interval_of<P, N> sqr_rev(const interval_of<P, N>& c) {
   return apply<functions::sqr_rev>(c);
 }
-template <Policies P> interval_of<P> sqr_rev(const interval_of<P>& c, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> sqr_rev(const interval_of<P, N>& c, const interval_of<P, N>& x) {
   return apply<functions::sqr_rev>(c, x);
 }
-template <Policies P> interval_of<P> abs_rev(const interval_of<P>& c) {
+template <Real N, Policies P> interval_of<P, N> abs_rev(const interval_of<P, N>& c) {
   return apply<functions::abs_rev>(c);
 }
-template <Policies P> interval_of<P> abs_rev(const interval_of<P>& c, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> abs_rev(const interval_of<P, N>& c, const interval_of<P, N>& x) {
   return apply<functions::abs_rev>(c, x);
 }
-template <Policies P> interval_of<P> pown_rev(const interval_of<P>& c, int n) {
+template <Real N, Policies P> interval_of<P, N> pown_rev(const interval_of<P, N>& c, int n) {
   return apply<functions::pown_rev>(c, n);
 }
-template <Policies P>
-interval_of<P> pown_rev(const interval_of<P>& c, const interval_of<P>& x, int n) {
+template <Real N, Policies P>
+interval_of<P, N> pown_rev(const interval_of<P, N>& c, const interval_of<P, N>& x, int n) {
   return apply<functions::pown_rev>(c, x, n);
 }
-template <Policies P> interval_of<P> sin_rev(const interval_of<P>& c) {
+template <Real N, Policies P> interval_of<P, N> sin_rev(const interval_of<P, N>& c) {
   return apply<functions::sin_rev>(c);
 }
-template <Policies P> interval_of<P> sin_rev(const interval_of<P>& c, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> sin_rev(const interval_of<P, N>& c, const interval_of<P, N>& x) {
   return apply<functions::sin_rev>(c, x);
 }
-template <Policies P> interval_of<P> cos_rev(const interval_of<P>& c) {
+template <Real N, Policies P> interval_of<P, N> cos_rev(const interval_of<P, N>& c) {
   return apply<functions::cos_rev>(c);
 }
-template <Policies P> interval_of<P> cos_rev(const interval_of<P>& c, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> cos_rev(const interval_of<P, N>& c, const interval_of<P, N>& x) {
   return apply<functions::cos_rev>(c, x);
 }
-template <Policies P> interval_of<P> tan_rev(const interval_of<P>& c) {
+template <Real N, Policies P> interval_of<P, N> tan_rev(const interval_of<P, N>& c) {
   return apply<functions::tan_rev>(c);
 }
-template <Policies P> interval_of<P> tan_rev(const interval_of<P>& c, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> tan_rev(const interval_of<P, N>& c, const interval_of<P, N>& x) {
   return apply<functions::tan_rev>(c, x);
 }
-template <Policies P> interval_of<P> cosh_rev(const interval_of<P>& c) {
+template <Real N, Policies P> interval_of<P, N> cosh_rev(const interval_of<P, N>& c) {
   return apply<functions::cosh_rev>(c);
 }
-template <Policies P> interval_of<P> cosh_rev(const interval_of<P>& c, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> cosh_rev(const interval_of<P, N>& c, const interval_of<P, N>& x) {
   return apply<functions::cosh_rev>(c, x);
 }
-template <Policies P> interval_of<P> mul_rev(const interval_of<P>& b, const interval_of<P>& c) {
+template <Real N, Policies P>
+interval_of<P, N> mul_rev(const interval_of<P, N>& b, const interval_of<P, N>& c) {
   return apply<functions::mul_rev>(b, c);
 }
-template <Policies P>
-interval_of<P> mul_rev(const interval_of<P>& b, const interval_of<P>& c, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> mul_rev(const interval_of<P, N>& b, const interval_of<P, N>& c,
+                          const interval_of<P, N>& x) {
   return apply<functions::mul_rev>(b, c, x);
 }
-template <Policies P>
-std::pair<interval_of<P>, interval_of<P>> mul_rev_to_pair(const interval_of<P>& b,
-                                                          const interval_of<P>& c) {
+template <Real N, Policies P>
+std::pair<interval_of<P, N>, interval_of<P, N>> mul_rev_to_pair(const interval_of<P, N>& b,
+                                                                const interval_of<P, N>& c) {
   const auto [first, second] = functions::mul_rev_to_pair::value(to_bounds(b), to_bounds(c));
-  return {to_interval<P>(first), to_interval<P>(second)};
+  return {to_interval<P, N>(first), to_interval<P, N>(second)};
 }
-template <Policies P> interval_of<P> pow_rev1(const interval_of<P>& b, const interval_of<P>& c) {
+template <Real N, Policies P>
+interval_of<P, N> pow_rev1(const interval_of<P, N>& b, const interval_of<P, N>& c) {
   return apply<functions::pow_rev1>(b, c);
 }
-template <Policies P>
-interval_of<P> pow_rev1(const interval_of<P>& b, const interval_of<P>& c, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> pow_rev1(const interval_of<P, N>& b, const interval_of<P, N>& c,
+                           const interval_of<P, N>& x) {
   return apply<functions::pow_rev1>(b, c, x);
 }
-template <Policies P> interval_of<P> pow_rev2(const interval_of<P>& a, const interval_of<P>& c) {
+template <Real N, Policies P>
+interval_of<P, N> pow_rev2(const interval_of<P, N>& a, const interval_of<P, N>& c) {
   return apply<functions::pow_rev2>(a, c);
 }
-template <Policies P>
-interval_of<P> pow_rev2(const interval_of<P>& a, const interval_of<P>& c, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> pow_rev2(const interval_of<P, N>& a, const interval_of<P, N>& c,
+                           const interval_of<P, N>& x) {
   return apply<functions::pow_rev2>(a, c, x);
 }
 

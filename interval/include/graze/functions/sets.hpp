@@ -34,18 +34,20 @@ struct cancel_plus {
 
 } // namespace functions
 
-template <Policies P>
-interval_of<P> intersection(const interval_of<P>& x, const interval_of<P>& y) {
+template <Real N, Policies P>
+interval_of<P, N> intersection(const interval_of<P, N>& x, const interval_of<P, N>& y) {
   return apply<functions::intersection>(x, y);
 }
-template <Policies P> interval_of<P> convex_hull(const interval_of<P>& x, const interval_of<P>& y) {
+template <Real N, Policies P>
+interval_of<P, N> convex_hull(const interval_of<P, N>& x, const interval_of<P, N>& y) {
   return apply<functions::convex_hull>(x, y);
 }
-template <Policies P>
-interval_of<P> cancel_minus(const interval_of<P>& x, const interval_of<P>& y) {
+template <Real N, Policies P>
+interval_of<P, N> cancel_minus(const interval_of<P, N>& x, const interval_of<P, N>& y) {
   return apply<functions::cancel_minus>(x, y);
 }
-template <Policies P> interval_of<P> cancel_plus(const interval_of<P>& x, const interval_of<P>& y) {
+template <Real N, Policies P>
+interval_of<P, N> cancel_plus(const interval_of<P, N>& x, const interval_of<P, N>& y) {
   return apply<functions::cancel_plus>(x, y);
 }
 

@@ -42,33 +42,34 @@ struct atan2 {
 } // namespace functions
 
 /// Encloses { sin t : t in x }.
-template <Policies P> interval_of<P> sin(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> sin(const interval_of<P, N>& x) {
   return apply<functions::sin>(x);
 }
 /// Encloses { cos t : t in x }.
-template <Policies P> interval_of<P> cos(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> cos(const interval_of<P, N>& x) {
   return apply<functions::cos>(x);
 }
 /// Encloses { tan t : t in x, t no odd multiple of pi/2 }: entire if x holds such a multiple.
-template <Policies P> interval_of<P> tan(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> tan(const interval_of<P, N>& x) {
   return apply<functions::tan>(x);
 }
 /// Encloses { asin t : t in x, |t| <= 1 }.
-template <Policies P> interval_of<P> asin(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> asin(const interval_of<P, N>& x) {
   return apply<functions::asin>(x);
 }
 /// Encloses { acos t : t in x, |t| <= 1 }.
-template <Policies P> interval_of<P> acos(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> acos(const interval_of<P, N>& x) {
   return apply<functions::acos>(x);
 }
 /// Encloses { atan t : t in x }.
-template <Policies P> interval_of<P> atan(const interval_of<P>& x) {
+template <Real N, Policies P> interval_of<P, N> atan(const interval_of<P, N>& x) {
   return apply<functions::atan>(x);
 }
 /// Encloses { the angle in (-pi, pi] of the point (s, t) : s in x, t in y, (s, t) != (0, 0) }. On
 /// the negative x axis the angle is pi: a box that holds a part of it and points below is mapped to
 /// [-pi, pi].
-template <Policies P> interval_of<P> atan2(const interval_of<P>& y, const interval_of<P>& x) {
+template <Real N, Policies P>
+interval_of<P, N> atan2(const interval_of<P, N>& y, const interval_of<P, N>& x) {
   return apply<functions::atan2>(y, x);
 }
 

@@ -1,12 +1,26 @@
 #pragma once
-/// The judge of functions: any of MPFR's, or a composition of them, rounded to binary64 in a given
-/// direction.
+/// The judge of functions: any of MPFR's, or a composition of them, rounded to binary64 (or
+/// binary32) in a given direction.
 #include <cmath>
 #include <graze/bounds.hpp>
 #include <graze/oracle/mpfr_number.hpp>
 #include <limits>
 
 namespace graze::oracle {
+
+/// f(x...) correctly rounded to a Number (float or double); otherwise as `rounded`.
+template <std::floating_point Number, class Function, class... Operands>
+Number rounded_to(Function function, mpfr_rnd_t to, Operands... x) {
+  const auto evaluate = [&](auto&&... operands) {
+    number result(std::numeric_limits<Number>::digits);
+    const range_of<Number> range;
+    int ternary = function(static_cast<mpfr_ptr>(result), static_cast<mpfr_ptr>(operands)..., to);
+    ternary = mpfr_check_range(result, ternary, to);
+    mpfr_subnormalize(result, ternary, to);
+    return static_cast<Number>(mpfr_get_d(result, to)); // exact
+  };
+  return evaluate(number(static_cast<double>(x))...);
+}
 
 /// f(x...) correctly rounded to a double in the direction `to`, subnormal and overflowing results
 /// included; NaN where MPFR says so. `function` is called as function(result, x..., to) and returns
@@ -15,15 +29,7 @@ namespace graze::oracle {
 /// Any thread, any rounding mode. From 1 us to, for huge arguments, 100 us.
 template <class Function, class... Doubles>
 double rounded(Function function, mpfr_rnd_t to, Doubles... x) {
-  const auto evaluate = [&](auto&&... operands) {
-    number result;
-    const binary64_range range;
-    int ternary = function(static_cast<mpfr_ptr>(result), static_cast<mpfr_ptr>(operands)..., to);
-    ternary = mpfr_check_range(result, ternary, to);
-    mpfr_subnormalize(result, ternary, to);
-    return mpfr_get_d(result, to); // exact
-  };
-  return evaluate(number(static_cast<double>(x))...);
+  return rounded_to<double>(function, to, x...);
 }
 template <class Function, class... Doubles> double rounded_down(Function function, Doubles... x) {
   return rounded(function, MPFR_RNDD, x...);

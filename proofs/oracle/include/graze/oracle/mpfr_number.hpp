@@ -1,6 +1,7 @@
 #pragma once
-/// MPFR's numbers as C++ objects, and binary64's range of exponents.
+/// MPFR's numbers as C++ objects, and a format's range of exponents.
 #include <concepts>
+#include <limits>
 #include <mpfr.h>
 
 namespace graze::oracle {
@@ -20,24 +21,26 @@ private:
   mpfr_t value_;
 };
 
-/// The exponent range of binary64 in MPFR's terms (significands in [1/2, 1)), for the object's
-/// life: the least positive number 2^-1074 has exponent -1073, the largest finite one 1024. The
-/// caller's range is restored.
-class binary64_range {
+/// The exponent range of a format (double: binary64; float: binary32) in MPFR's terms
+/// (significands in [1/2, 1)), for the object's life: the least positive double 2^-1074 has
+/// exponent -1073, the largest finite one 1024. The caller's range is restored.
+template <std::floating_point Number> class range_of {
 public:
-  binary64_range() : emin_(mpfr_get_emin()), emax_(mpfr_get_emax()) {
-    mpfr_set_emin(-1073);
-    mpfr_set_emax(1024);
+  range_of() : emin_(mpfr_get_emin()), emax_(mpfr_get_emax()) {
+    mpfr_set_emin(limits::min_exponent - limits::digits + 1);
+    mpfr_set_emax(limits::max_exponent);
   }
-  ~binary64_range() {
+  ~range_of() {
     mpfr_set_emin(emin_);
     mpfr_set_emax(emax_);
   }
-  binary64_range(const binary64_range&) = delete;
-  binary64_range& operator=(const binary64_range&) = delete;
+  range_of(const range_of&) = delete;
+  range_of& operator=(const range_of&) = delete;
 
 private:
+  using limits = std::numeric_limits<Number>;
   mpfr_exp_t emin_, emax_;
 };
+using binary64_range = range_of<double>;
 
 } // namespace graze::oracle
