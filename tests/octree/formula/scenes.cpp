@@ -1,9 +1,9 @@
 // The scenes' formulas typed as text: the octants of the built-in surfaces, on every path, and the
 // same first hits.
+#include "../../support/paths.hpp"
 #include "../surface_judge.hpp"
 #include "../surface_scenes.hpp"
 #include <catch2/catch.hpp>
-#include <cstdio>
 #include <cstring>
 #include <graze/octree/lazy_octree.hpp>
 #include <graze/octree/voxelizer.hpp>
@@ -36,13 +36,6 @@ template <class S> formula formula_of(const S& scene) {
   return *f;
 }
 
-bool equal(const sparse_octree& a, const sparse_octree& b) {
-  const auto x = a.leaves(), y = b.leaves();
-  const auto masks = a.masks(), other = b.masks();
-  return std::equal(x.begin(), x.end(), y.begin(), y.end()) &&
-         std::equal(masks.begin(), masks.end(), other.begin(), other.end());
-}
-
 /// Octants of the last level that `finer` has and `coarser` lacks.
 std::size_t lost(const sparse_octree& finer, sparse_octree::node n, const sparse_octree& coarser,
                  sparse_octree::node m, int level, std::size_t& leaves) {
@@ -61,15 +54,6 @@ std::size_t lost(const sparse_octree& finer, sparse_octree::node n, const sparse
       r += lost(finer, finer.child(n, i), coarser, coarser.child(m, i), level + 1, leaves);
   }
   return r;
-}
-
-template <class Check> void on_each_path(Check check) {
-  for (const batch::path p : batch::paths) {
-    if (batch::refusal(p))
-      continue;
-    INFO(batch::name(p));
-    check(p);
-  }
 }
 
 } // namespace
@@ -123,40 +107,6 @@ TEST_CASE("octree.formula: the scenes as text keep the built-in octants, and har
   });
 }
 
-TEST_CASE("octree.formula: every path has the scalar octree", "[property]") {
-  const char* const texts[] = {
-      "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8",
-      "x^3+y^3+z^3-x-y-z",
-      "min(x^2+y^2+z^2-1, (x-1)^2+y^2+z^2-0.5, max(abs(x)-0.9, abs(y)-0.9, abs(z)-0.2))",
-      "x^5-x*y+y^3*z-0.1*z^7+x^2*y^2",
-      "sin(3x)*cos(2y)-z*exp(-x^2)+0.1",
-      "1/(x-0.3)-y/(z^2-0.5)",
-      "sqrt(x-0.1)+log(y+0.5)-cbrt(z)",
-      "tan(2x)-atan2(y,z)",
-      "hypot(x,hypot(y,z))-0.7*abs(sin(5*atan2(y,x)))",
-      "pow(abs(x)+0.1,y)-z",
-      "acos(x)-asin(y)+atanh(z)-tanh(x*y)",
-      "floor(3x)/2-y*z+sech(x)-csch(y)",
-      "rootn(x,3)-rootn(y+0.5,4)+z^-3/9-x^40",
-      "difference(x^2+y^2+z^2-1, x-0.25*y)",
-  };
-  const box domain{{-1.25, -1, -1.5}, {1, 1.5, 1.25}};
-  for (const char* text : texts) {
-    INFO(text);
-    const auto f = formula::parse(text);
-    REQUIRE(f);
-    const auto scalar = voxelize(f->surface(), domain, 5);
-    REQUIRE(scalar);
-    CHECK(scalar->leaf_count() > 20);
-    CHECK(scalar->leaf_count() < 15000);
-    on_each_path([&](batch::path p) {
-      const auto lanes = voxelize_in_lanes(f->surface(), domain, 5, p);
-      REQUIRE(lanes);
-      CHECK(equal(*scalar, *lanes));
-    });
-  }
-}
-
 TEST_CASE("octree.formula: first hits are the built-in ones, on every path and lazily",
           "[property]") {
   scenes::for_each([](const auto& scene) {
@@ -179,7 +129,7 @@ TEST_CASE("octree.formula: first hits are the built-in ones, on every path and l
         hits += b.outcome == verdict::hit;
         different += a.outcome != b.outcome ||
                      (a.outcome == verdict::hit && (a.t_far < b.t_near || b.t_far < a.t_near));
-        on_each_path([&](batch::path p) {
+        test::for_each_path([&](batch::path p) {
           const auto lanes =
               lane_traversal<formula_surface>::make(f, scene.domain(), *typed, level, p);
           REQUIRE(lanes);
@@ -212,7 +162,7 @@ TEST_CASE("octree.formula: a ray beside a ruling is given up after as many octan
   CHECK(wanted.outcome == verdict::undecided);
   CHECK(counts.cells_opened == most_cells_opened);
   CHECK(other.outcome == verdict::hit);
-  on_each_path([&](batch::path p) {
+  test::for_each_path([&](batch::path p) {
     const auto lanes =
         lane_traversal<formula_surface>::make(f->surface(), domain, *octree, max_level, p);
     REQUIRE(lanes);

@@ -1,6 +1,7 @@
 #pragma once
 /// Rays of the campaign's generators with a block of voxels around what they graze, and what exact
 /// arithmetic says about them.
+#include "../../support/paths.hpp"
 #include <graze/batch.hpp>
 #include <graze/fuzz/block_tree.hpp>
 #include <graze/fuzz/generators.hpp>
@@ -54,13 +55,12 @@ inline sparse_trial make_sparse(const fuzz::generator& g, std::uint64_t seed, st
   return {t, occupied, *ray::make(t.origin, t.direction), root, *voxel_set::make(root, voxels)};
 }
 
-/// Runs f on each path that this processor has.
+/// Runs f with each path in use that this processor has; the others are said.
 template <class F> void on_each_path(F f) {
-  for (const batch::path p : batch::paths) {
-    if (batch::force_path(p))
-      continue;
+  test::for_each_path([&](batch::path p) {
+    REQUIRE(!batch::force_path(p));
     f(p);
-  }
+  });
   batch::unforce_path();
 }
 

@@ -2,6 +2,7 @@
 /// What the lanes of a path say, for the test to compare. Implemented by a file for each path.
 #include <array>
 #include <cstdint>
+#include <graze/batch/per_path.hpp>
 #include <graze/octree/cube.hpp>
 #include <graze/octree/ray.hpp>
 
@@ -26,25 +27,10 @@ struct way {
   std::uint64_t choices;
 };
 
-/// Which children of an octant the surface is proven to have no zero in: bit i of `none`.
-enum { surface_count = 5 };
-struct inclusions {
-  std::array<std::uint8_t, surface_count> none{}, positive{}, negative{};
-  friend bool operator==(const inclusions&, const inclusions&) = default;
-};
-
-/// A surface whose natural extension is loose, so that the mean value form decides.
-struct loose_surface {
-  template <class N> N operator()(const N& x, const N& y, const N& z) const {
-    return x * x * y - y * z + z * z * z - x * y * z;
-  }
-};
-
 struct path_under_test {
   trail (*closed)(const octree::ray&, const way&);
   trail (*owned)(const octree::ray&, const way&);
-  inclusions (*inclusion)(const octree::cube&);
 };
-extern const path_under_test baseline_walks, avx2_walks, avx512_walks;
+GRAZE_DECLARE_ON_PATHS(path_under_test, walks);
 
 } // namespace graze::test

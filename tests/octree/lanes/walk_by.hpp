@@ -1,8 +1,6 @@
 #pragma once
 #include "walk.hpp"
-#include <graze/octree/inclusion_eight.hpp>
 #include <graze/octree/sound_eight.hpp>
-#include <graze/octree/surfaces.hpp>
 
 namespace graze::test {
 
@@ -46,34 +44,9 @@ template <octree::Method M> trail walk(const octree::ray& r, const way& w) {
   return t;
 }
 
-template <class Path> inclusions inclusion_by(const octree::cube& cell) {
-  using namespace octree;
-  using method = sound_eight<Path, convention::owned>;
-  const typename method::scope scope;
-  inclusions r;
-  const auto corner = method::corner(cell);
-  const double half = cell.size / 2;
-  const auto mid = octet<Path>::add_up(corner, octet<Path>::broadcast(half));
-  const auto children = eight_boxes<Path>::children(corner, mid, half);
-  const auto corners = eight_boxes<Path>::corners(corner, cell.size);
-  std::size_t k = 0;
-  const auto note = [&](const auto& f) {
-    r.none[k] = static_cast<std::uint8_t>(have_no_zero(f, children, 0xff));
-    const eight_signs s = signs_at(f, corners);
-    r.positive[k] = static_cast<std::uint8_t>(s.positive);
-    r.negative[k++] = static_cast<std::uint8_t>(s.negative);
-  };
-  note(spheres{});
-  note(quartdef{});
-  note(tanglecube{});
-  note(holesrot{});
-  note(loose_surface{});
-  return r;
-}
-
 template <class Path> consteval path_under_test walks_by() {
   return {&walk<octree::sound_eight<Path, octree::convention::closed>>,
-          &walk<octree::sound_eight<Path, octree::convention::owned>>, &inclusion_by<Path>};
+          &walk<octree::sound_eight<Path, octree::convention::owned>>};
 }
 
 } // namespace graze::test

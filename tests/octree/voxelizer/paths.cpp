@@ -1,7 +1,6 @@
-// The voxelizer by each path and on several threads: the scalar voxelizer's bytes.
+// The voxelizer on several threads: the bytes of one.
 #include "../surface_scenes.hpp"
 #include <catch2/catch.hpp>
-#include <cstdio>
 #include <graze/octree/lane_kernels.hpp>
 #include <graze/octree/parallel_voxelizer.hpp>
 
@@ -20,48 +19,11 @@ template <class Scene> std::vector<box> domains(const Scene& scene) {
           {{4 * r, 4 * r, 4 * r}, {5 * r, 5 * r, 5 * r}}};
 }
 
-void same_as_scalar(batch::path p) {
-  if (const auto reason = batch::refusal(p)) {
-    std::printf("graze: skipped, path %s: %s\n", batch::name(p), reason->c_str());
-    return;
-  }
-  scenes::for_each([p](const auto& scene) {
-    std::size_t leaves = 0, possible = 0;
-    for (const box& domain : domains(scene))
-      for (const int level : {1, 2, 5, 8}) {
-        const auto scalar = voxelize(scene.surface, domain, level);
-        const auto eight = voxelize_in_lanes(scene.surface, domain, level, p);
-        REQUIRE(scalar);
-        REQUIRE(eight);
-        INFO("reach " << scene.reach << ", level " << level << ", corner " << domain.lo[0]);
-        CHECK(*scalar == *eight);
-        leaves += scalar->leaf_count();
-        for (const content c : scalar->leaves())
-          possible += c == content::possible;
-      }
-    CHECK(leaves > 10'000);
-    CHECK(possible > 20); // both kinds of leaves are compared
-  });
-}
-
 struct plane { // x = 0, a face of octants at every level
   template <class N> N operator()(const N& x, const N&, const N&) const { return x; }
 };
 
 } // namespace
-
-TEST_CASE("octree.voxelizer: baseline, eight children at once give the scalar octree",
-          "[property]") {
-  same_as_scalar(batch::path::baseline);
-}
-#if defined(__x86_64__)
-TEST_CASE("octree.voxelizer: avx2, eight children at once give the scalar octree", "[property]") {
-  same_as_scalar(batch::path::avx2);
-}
-TEST_CASE("octree.voxelizer: avx512, eight children at once give the scalar octree", "[property]") {
-  same_as_scalar(batch::path::avx512);
-}
-#endif
 
 TEST_CASE("octree.voxelizer: any number of threads gives the same bytes", "[property]") {
   scenes::for_each([](const auto& scene) {
@@ -106,7 +68,7 @@ TEST_CASE("octree.voxelizer: threads serve any surface, tell progress and can be
   CHECK_FALSE(voxelize_parallel(judge, *root, {-1, nullptr, {}}));
 }
 
-TEST_CASE("octree.voxelizer: refuses an empty domain on every path", "[unit]") {
+TEST_CASE("octree.voxelizer: refuses an empty domain and a level too deep", "[unit]") {
   CHECK_FALSE(voxelize_in_lanes(quartdef{}, box{{1, -1, -1}, {-1, 1, 1}}, 3));
   CHECK_FALSE(voxelize_in_lanes(quartdef{}, box{{-1, -1, -1}, {1, 1, 1}}, 54));
 }

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <graze/octree/dual.hpp>
 #include <graze/octree/surfaces.hpp>
+#include <limits>
 
 namespace graze::octree {
 
@@ -73,12 +74,10 @@ template <class P> struct angular_lanes {
   static GRAZE_BATCH_INLINE part upper_end(const part& x) { return {x.hi, x.hi}; }
   /// rho at the corner of the box at which the angle from +z is least, and greatest.
   static GRAZE_BATCH_INLINE part near_rho(const part& z, const part& rho) {
-    const vector v = P::select(P::less_equal(P::zero(), z.hi), rho.lo, rho.hi);
-    return {v, v};
+    return end(P::select(P::less_equal(P::zero(), z.hi), rho.lo, rho.hi));
   }
   static GRAZE_BATCH_INLINE part far_rho(const part& z, const part& rho) {
-    const vector v = P::select(P::less_equal(P::zero(), z.lo), rho.hi, rho.lo);
-    return {v, v};
+    return end(P::select(P::less_equal(P::zero(), z.lo), rho.hi, rho.lo));
   }
   /// The hull of a and b, cut to [-1, 1]; up to 1 where a and above may be >= 0 and below may be
   /// <= 0.
@@ -108,6 +107,12 @@ template <class P> struct angular_lanes {
     const vector most = limit.hi, least = P::neg(most);
     return {P::select(P::less(least, x.lo), x.lo, least),
             P::select(P::less(x.hi, most), x.hi, most)};
+  }
+
+private:
+  /// v as an interval; infinity is no number, and stands for all beyond the doubles.
+  static GRAZE_BATCH_INLINE part end(const vector& v) {
+    return {P::min_or_second(P::broadcast(std::numeric_limits<double>::max()), v), v};
   }
 };
 
