@@ -1,11 +1,13 @@
 // One line changed in a client of Boost.Interval: what it writes means what it meant, and holds.
 // tests/interval/api has the whole of Boost's interface; here is what went wrong once.
+#include <algorithm>
 #include <boost/numeric/interval.hpp>
 #include <boost/numeric/interval/compare.hpp>
 #include <boost/numeric/interval/compare/tribool.hpp>
 #include <boost/numeric/interval/ext/integer.hpp>
 #include <boost/numeric/interval/io.hpp>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdio>
 #include <graze/interval.hpp>
 #include <graze/rounding/split.hpp>
@@ -161,6 +163,45 @@ TEMPLATE_TEST_CASE("interval.swap: fmod is C's", "[regression]", graze::interval
   CHECK(is(fmod(I(4, 5), 3), 1, 2));
   CHECK(is(fmod(-5, I(3)), -2, -2));
   CHECK(is(fmod(I(0x1p1000), I(3)), 1, 1));
+}
+
+TEST_CASE("interval.swap: fmod holds and is reached, on all boxes of a grid", "[property]") {
+  using I = graze::interval<>;
+  for (int a = -10; a <= 10; ++a)
+    for (int b = a; b <= a + 9; b += 2)
+      for (int c = -7; c <= 7; ++c)
+        for (int d = c; d <= c + 6; ++d) {
+          const I x(a / 4.0, b / 4.0), y(c / 4.0, d / 4.0), r = fmod(x, y);
+          double least = infinity, greatest = -infinity;
+          const auto add = [&](double s, double t) {
+            if (t == 0 || !in(s, x) || !in(t, y))
+              return;
+            const double value = std::fmod(s, t);
+            least = std::min(least, value), greatest = std::max(greatest, value);
+          };
+          for (int i = 4 * a; i <= 4 * b; ++i)
+            for (int k = 4 * c; k <= 4 * d; ++k)
+              add(i / 16.0, k / 16.0);
+          // where s / t nears an integer m from below, and is one
+          for (int m = 1; m <= 40; ++m)
+            for (const double sign : {1.0, -1.0}) {
+              for (const double s : {a / 4.0, b / 4.0})
+                for (const double t : {s / m * (1 + 0x1p-40), s / m * (1 - 0x1p-40)})
+                  add(s, sign * t);
+              for (const double t : {c / 4.0, d / 4.0})
+                for (const double s : {m * t * (1 - 0x1p-40), m * t})
+                  add(sign * s, t);
+            }
+          const bool some = least <= greatest;
+          const bool holds = some ? r.lower() <= least && greatest <= r.upper() : empty(r);
+          const bool reached =
+              !some || (least - r.lower() < 0x1p-30 && r.upper() - greatest < 0x1p-30);
+          if (!holds || !reached) {
+            CAPTURE(a, b, c, d, r.lower(), r.upper(), least, greatest);
+            CHECK(holds);
+            CHECK(reached);
+          }
+        }
 }
 
 TEMPLATE_TEST_CASE("interval.swap: numbers beside are enclosed", "[regression]", graze::interval<>,
