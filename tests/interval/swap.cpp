@@ -211,6 +211,7 @@ TEMPLATE_TEST_CASE("interval.swap: numbers beside are enclosed", "[regression]",
   const auto around = [](const I& x) { return is(x, 0x1p53, 0x1p53 + 2); };
   CHECK(around(zero + beyond));
   CHECK(around(beyond + zero));
+  CHECK(is(zero + ((1LL << 54) + 3), 0x1p54, 0x1p54 + 4));
   CHECK(around(beyond - zero));
   CHECK(around(one * beyond));
   CHECK(around(beyond * one));
@@ -248,6 +249,8 @@ TEST_CASE("interval.swap: comparisons with a number that is no double", "[regres
   CHECK(!(I(0x1p53) == beyond));
   CHECK(!(beyond == I(0x1p53, 0x1p53 + 2)));
   CHECK(I(3) == 3);
+  CHECK(I(3) <= 3);
+  CHECK(!(I(3) < 3));
   CHECK(3u == I(3));
   // Boost's, which throw where they cannot tell
   CHECK(quiet(0x1p53) < beyond);

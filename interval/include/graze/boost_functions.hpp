@@ -59,15 +59,25 @@ template <class I> graze_interval to_c(const I& x) {
                     : graze_interval{rounding::widened(x.lower()), rounding::widened(x.upper())};
 }
 /// As the checking of I has it: the empty set and what is unbounded are its own.
-template <class I> I from_c(const graze_interval& x) {
+template <class I>
+[[gnu::cold, gnu::noinline]] I from_c_unbounded(typename I::base_type lower,
+                                                typename I::base_type upper) {
   using checking = typename I::traits_type::checking;
   using Bound = typename I::base_type;
   constexpr Bound infinity = std::numeric_limits<Bound>::infinity();
-  if (!(x.inf <= x.sup))
+  if (!(lower <= upper))
     return I::empty();
-  const Bound lower = round_down_to<Bound>(x.inf), upper = round_up_to<Bound>(x.sup);
   return I(lower == -infinity ? static_cast<Bound>(checking::neg_inf()) : lower,
            upper == infinity ? static_cast<Bound>(checking::pos_inf()) : upper, true);
+}
+// Bounds stay in two registers: joined where branches meet, they would go through memory.
+template <class I> I from_c(const graze_interval& x) {
+  using Bound = typename I::base_type;
+  constexpr Bound infinity = std::numeric_limits<Bound>::infinity();
+  const Bound lower = round_down_to<Bound>(x.inf), upper = round_up_to<Bound>(x.sup);
+  if (-infinity < lower && upper < infinity)
+    return I(lower, upper, true);
+  return from_c_unbounded<I>(lower, upper);
 }
 /// What stands for an int in an operation with an I.
 template <class I> auto operand(int n) {

@@ -168,6 +168,8 @@ void judge_all(totals& t, const graze::api::expectations& e) {
     judge<graze::unprotected<upward>>(t, "unprotected<upward>", e);
   }
 #if defined(GRAZE_API_EVERY_TYPE)
+  judge<interval<double, il::policies<graze::boost_rounding<>, graze::checking>>>(
+      t, "boost_rounding<nearest>, graze::checking", e);
   judge<interval<double, graze::policies<upward>>>(t, "policies<upward>", e);
   judge<interval<double, graze::policies<split>>>(t, "policies<split>", e);
   judge<interval<double, graze::policies<switching>>>(t, "policies<switching>", e);

@@ -42,6 +42,25 @@ interval_of<P, N> apply(const interval_of<P, N>& x, const Operands&... more) {
   return to_interval<P, N>(F::value(to_bounds(x), detail::as_bounds(more)...));
 }
 
+// A function that boost_functions.hpp has too, for any checking and by way of C: for bounds of one
+// type as there, so that this one, more constrained, is taken.
+#define GRAZE_BESIDE_BOOST(name)                                                                   \
+  template <Policies P> interval_of<P, double> name(const interval_of<P, double>& x) {             \
+    return apply<functions::name>(x);                                                              \
+  }                                                                                                \
+  template <Policies P> interval_of<P, float> name(const interval_of<P, float>& x) {               \
+    return apply<functions::name>(x);                                                              \
+  }
+#define GRAZE_BESIDE_BOOST_2(name)                                                                 \
+  template <Policies P>                                                                            \
+  interval_of<P, double> name(const interval_of<P, double>& x, const interval_of<P, double>& y) {  \
+    return apply<functions::name>(x, y);                                                           \
+  }                                                                                                \
+  template <Policies P>                                                                            \
+  interval_of<P, float> name(const interval_of<P, float>& x, const interval_of<P, float>& y) {     \
+    return apply<functions::name>(x, y);                                                           \
+  }
+
 /// The decoration of F's result `value` on these bounds, before the operands' own are joined.
 /// Source: IEEE 1788-2015, 11.2 (com asks for continuity at each point, dac for that of the
 /// restriction).

@@ -45,9 +45,7 @@ struct logp1 {
 } // namespace functions
 
 /// Encloses { e^t : t in x }.
-template <Real N, Policies P> interval_of<P, N> exp(const interval_of<P, N>& x) {
-  return apply<functions::exp>(x);
-}
+GRAZE_BESIDE_BOOST(exp)
 /// Encloses { 2^t : t in x }.
 template <Real N, Policies P> interval_of<P, N> exp2(const interval_of<P, N>& x) {
   return apply<functions::exp2>(x);
@@ -61,9 +59,7 @@ template <Real N, Policies P> interval_of<P, N> expm1(const interval_of<P, N>& x
   return apply<functions::expm1>(x);
 }
 /// Encloses { log t : t in x, t > 0 }.
-template <Real N, Policies P> interval_of<P, N> log(const interval_of<P, N>& x) {
-  return apply<functions::log>(x);
-}
+GRAZE_BESIDE_BOOST(log)
 /// Encloses { log_2 t : t in x, t > 0 }.
 template <Real N, Policies P> interval_of<P, N> log2(const interval_of<P, N>& x) {
   return apply<functions::log2>(x);

@@ -37,28 +37,16 @@ struct atanh {
 } // namespace functions
 
 /// Encloses { sinh t : t in x }.
-template <Real N, Policies P> interval_of<P, N> sinh(const interval_of<P, N>& x) {
-  return apply<functions::sinh>(x);
-}
+GRAZE_BESIDE_BOOST(sinh)
 /// Encloses { cosh t : t in x }.
-template <Real N, Policies P> interval_of<P, N> cosh(const interval_of<P, N>& x) {
-  return apply<functions::cosh>(x);
-}
+GRAZE_BESIDE_BOOST(cosh)
 /// Encloses { tanh t : t in x }.
-template <Real N, Policies P> interval_of<P, N> tanh(const interval_of<P, N>& x) {
-  return apply<functions::tanh>(x);
-}
+GRAZE_BESIDE_BOOST(tanh)
 /// Encloses { asinh t : t in x }.
-template <Real N, Policies P> interval_of<P, N> asinh(const interval_of<P, N>& x) {
-  return apply<functions::asinh>(x);
-}
+GRAZE_BESIDE_BOOST(asinh)
 /// Encloses { acosh t : t in x, t >= 1 }.
-template <Real N, Policies P> interval_of<P, N> acosh(const interval_of<P, N>& x) {
-  return apply<functions::acosh>(x);
-}
+GRAZE_BESIDE_BOOST(acosh)
 /// Encloses { atanh t : t in x, |t| < 1 }.
-template <Real N, Policies P> interval_of<P, N> atanh(const interval_of<P, N>& x) {
-  return apply<functions::atanh>(x);
-}
+GRAZE_BESIDE_BOOST(atanh)
 
 } // namespace graze

@@ -35,9 +35,6 @@ interval_of<P, N> hypot(const interval_of<P, N>& x, const interval_of<P, N>& y) 
 }
 /// Encloses { s^t : s in x, t in y, s > 0 or (s = 0 and t > 0) }: e^(t log s), and 0 for s = 0. For
 /// integer powers of negative numbers see pown.
-template <Real N, Policies P>
-interval_of<P, N> pow(const interval_of<P, N>& x, const interval_of<P, N>& y) {
-  return apply<functions::pow>(x, y);
-}
+GRAZE_BESIDE_BOOST_2(pow)
 
 } // namespace graze

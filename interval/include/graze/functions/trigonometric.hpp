@@ -42,29 +42,17 @@ struct atan2 {
 } // namespace functions
 
 /// Encloses { sin t : t in x }.
-template <Real N, Policies P> interval_of<P, N> sin(const interval_of<P, N>& x) {
-  return apply<functions::sin>(x);
-}
+GRAZE_BESIDE_BOOST(sin)
 /// Encloses { cos t : t in x }.
-template <Real N, Policies P> interval_of<P, N> cos(const interval_of<P, N>& x) {
-  return apply<functions::cos>(x);
-}
+GRAZE_BESIDE_BOOST(cos)
 /// Encloses { tan t : t in x, t no odd multiple of pi/2 }: entire if x holds such a multiple.
-template <Real N, Policies P> interval_of<P, N> tan(const interval_of<P, N>& x) {
-  return apply<functions::tan>(x);
-}
+GRAZE_BESIDE_BOOST(tan)
 /// Encloses { asin t : t in x, |t| <= 1 }.
-template <Real N, Policies P> interval_of<P, N> asin(const interval_of<P, N>& x) {
-  return apply<functions::asin>(x);
-}
+GRAZE_BESIDE_BOOST(asin)
 /// Encloses { acos t : t in x, |t| <= 1 }.
-template <Real N, Policies P> interval_of<P, N> acos(const interval_of<P, N>& x) {
-  return apply<functions::acos>(x);
-}
+GRAZE_BESIDE_BOOST(acos)
 /// Encloses { atan t : t in x }.
-template <Real N, Policies P> interval_of<P, N> atan(const interval_of<P, N>& x) {
-  return apply<functions::atan>(x);
-}
+GRAZE_BESIDE_BOOST(atan)
 /// Encloses { the angle in (-pi, pi] of the point (s, t) : s in x, t in y, (s, t) != (0, 0) }. On
 /// the negative x axis the angle is pi: a box that holds a part of it and points below is mapped to
 /// [-pi, pi].
