@@ -99,6 +99,10 @@ TEST_CASE("fuzz.generators: near-parallel rays reach down to 5e-324", "[property
 
 TEST_CASE("fuzz.generators: diagonal rays meet several planes at one t", "[property]") {
   CHECK(share("diagonal", through_edge) > 0.5);
+  // and some of them in a plane across an axis
+  CHECK(share("diagonal", [](const trial& t) {
+          return t.direction[0] == 0 || t.direction[1] == 0 || t.direction[2] == 0;
+        }) > 0.1);
 }
 
 TEST_CASE("fuzz.generators: origins lie on a vertex, an edge, a face", "[property]") {

@@ -30,6 +30,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -66,6 +67,15 @@ class BadInput(Exception):
     """One line for who called."""
 
 
+def sources_of(program):
+    return [*program["sources"], *program.get("library", [])]
+
+
+def plain(source):
+    """The file of SOURCE@PATH."""
+    return source.partition("@")[0]
+
+
 class Fault:
     """`right` in `file` becomes `faulty`; `test` of `program` must notice."""
 
@@ -88,7 +98,7 @@ class Fault:
 
     def key(self):
         """What decides whether it was decided before."""
-        files = sorted({self.file, *self.program["sources"], *self.program.get("library", [])})
+        files = sorted({self.file, *(plain(f) for f in sources_of(self.program))})
         parts = [self.file, self.right, self.faulty, self.test, self.program["name"]]
         parts += [(ROOT / f).read_text() for f in files]
         return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:24]
@@ -113,8 +123,8 @@ def read_list(path):
         raise BadInput(f"{path}: {error}") from None
     faults = []
     for program in told.get("program", []):
-        for f in [*program["sources"], *program.get("library", [])]:
-            if not (ROOT / f).exists():
+        for f in sources_of(program):
+            if not (ROOT / plain(f)).exists():
                 raise BadInput(f"program {program['name']}: no file {f}")
         rows = [row_of(group, fault) for group in program["group"] for fault in group["faults"]]
         faults += [Fault(i, program, row) for i, row in enumerate(rows, 1)]
@@ -173,9 +183,16 @@ class Tree:
             self.links[target] = told.stdout.splitlines()
         return self.links[target]
 
+    def at(self, source):
+        """Where it is compiled: a source for a path is included by a file that the build has made."""
+        file, _, path = source.partition("@")
+        if not path:
+            return ROOT / file
+        return self.build / "paths" / pathlib.Path(file).parent / f"{path}_{pathlib.Path(file).name}"
+
     def compile_line(self, target, source):
         """The arguments that compile the source, without the compiler's cache and -o."""
-        at = str(ROOT / source)
+        at = str(self.at(source))
         lines = [shlex.split(line) for line in self.lines(target) if f" {at}" in line and " -c " in line]
         lines = [line for line in lines if at in line]
         # a test's own source is compiled for its own program
@@ -223,27 +240,33 @@ class Round:
         self.control = {}
 
     def make(self, stop):
-        self.directory.mkdir(parents=True, exist_ok=True)
+        shutil.rmtree(self.directory, ignore_errors=True)  # of another list
+        self.directory.mkdir(parents=True)
         overlay(self.directory, self.everything)
         (self.directory / "choice.h").write_text(CHOICE)
         (self.directory / "choose.c").write_text(CHOOSE)
         self.call(["cc", "-c", "choose.c", "-o", "choose.o"], self.directory, stop)
         target = self.program["target"]
         objects = [self.directory / "choose.o"]
-        for source in [*self.program["sources"], *self.program.get("library", [])]:
-            copied = self.directory / source
-            at = copied if copied.exists() else ROOT / source
-            folder = self.directory / pathlib.Path(source).parent
-            if not copied.exists() and any(f.file.startswith(str(pathlib.Path(source).parent) + "/")
-                                           for f in self.everything):
-                # so that its "neighbour.hpp" is the overlay's
-                folder.mkdir(parents=True, exist_ok=True)
-                copied.write_text((ROOT / source).read_text())
-                at = copied
+        for source in sources_of(self.program):
+            file = plain(source)
+            copied, folder = self.directory / file, pathlib.Path(file).parent
+            if not copied.exists() and any(f.file.startswith(f"{folder}/") for f in self.everything):
+                # so that its "neighbour.hpp", and what that includes, is the overlay's
+                (self.directory / folder).mkdir(parents=True, exist_ok=True)
+                copied.write_text((ROOT / file).read_text())
+                for header in (ROOT / folder).glob("*.hpp"):
+                    if not (self.directory / folder / header.name).exists():
+                        (self.directory / folder / header.name).write_text(header.read_text())
+            at = copied if copied.exists() else ROOT / file
+            if file != source:
+                made = self.tree.at(source).read_text().replace(str(ROOT / file), str(at))
+                at = self.directory / (source.replace("/", "-").replace("@", "-") + ".cpp")
+                at.write_text(made)
             line = self.tree.compile_line(target, source)
-            to = self.directory / (source.replace("/", "-") + ".o")
+            to = self.directory / (source.replace("/", "-").replace("@", "-") + ".o")
             line[1:1] = [f"-I{self.directory / i}" for i in INCLUDES]
-            line += [f"-iquote{(ROOT / source).parent}", "-include", str(self.directory / "choice.h"), "-w",
+            line += [f"-iquote{ROOT / folder}", "-include", str(self.directory / "choice.h"), "-w",
                      *self.program.get("flags", []), "-c", str(at), "-o", str(to)]
             self.call(line, self.tree.build, stop)
             objects.append(to)

@@ -41,7 +41,9 @@ double step(double x, int ulps) {
 
 template <class F> void beside_each_face(judge::tally& t) {
   judge::random_source random(41);
-  const box domain{{-1, -0.75, 0.375}, {1, 2.5, 1.125}};
+  // faces of 53 bits, so that distances from afar are rounded
+  const box domain{{-0x1.f8a3b1c9d2e47p-1, -0x1.8c4f2a9b3d1e5p-1, 0x1.83a1c5e7f9b2dp-2},
+                   {0x1.07b3d5f1a2c4fp+0, 0x1.4196fb2d3c5a7p+1, 0x1.1e4a6c8b0d2f3p+0}};
   for (int i = 0; i < 3000; ++i)
     for (int axis = 0; axis < 3; ++axis)
       for (const bool upper : {false, true}) {
@@ -49,16 +51,31 @@ template <class F> void beside_each_face(judge::tally& t) {
         const F f{axis, step(face, static_cast<int>(random.below(5)) - 2)};
         vec3 o, d;
         const bool through = random.below(2) == 0; // the domain first, or the face first
-        for (int a = 0; a < 3; ++a) {
-          const double lo = domain.lo[a], hi = domain.hi[a];
-          o[a] = random.in(lo, hi);
-          d[a] = random.in(lo, hi) - o[a];
-          if (a != axis)
-            d[a] /= 64;
+        const double way = through == upper ? 1 : -1;
+        if (i % 2 == 0) {
+          for (int a = 0; a < 3; ++a) {
+            o[a] = random.in(domain.lo[a], domain.hi[a]);
+            d[a] = (random.in(domain.lo[a], domain.hi[a]) - o[a]) / 64;
+          }
+          o[axis] = way > 0 ? domain.lo[axis] - random.in(0, 1) : domain.hi[axis] + random.in(0, 1);
+          d[axis] = way * random.in(0.1, 4);
+        } else {
+          // t d without an error, and a distance that is no double: a t that is off by half a unit
+          // in its last place is beyond the face, and known to be
+          const double far = random.in(8, 64);
+          o[axis] = face - way * far;
+          d[axis] = way;
+          for (int a = 0; a < 3; ++a)
+            if (a != axis) {
+              d[a] = random.in(-1, 1) / 64;
+              o[a] = random.in(domain.lo[a], domain.hi[a]) - far * d[a];
+            }
         }
-        o[axis] = through == upper ? domain.lo[axis] - random.in(0, 1)
-                                   : domain.hi[axis] + random.in(0, 1);
-        d[axis] = (through == upper ? 1 : -1) * random.in(0.1, 4);
+        if (const auto a = static_cast<unsigned>((axis + 1) % 3); random.below(4) == 0) {
+          d[a] = 0; // in a face, or beside it
+          const int on = static_cast<int>(random.below(5)) - 2;
+          o[a] = step(random.below(2) == 0 ? domain.lo[a] : domain.hi[a], on);
+        }
         const ray r = *ray::make(o, d);
         t.judge(f, r, domain, certified_traversal<F>::make(f, domain)->first_hit(r));
       }
