@@ -58,6 +58,8 @@ template <class N> bool below(double near, const N& v) {
 template <class N> double round_down(const N& v) {
   if constexpr (std::is_enum_v<N>) {
     return round_down(static_cast<std::underlying_type_t<N>>(v));
+  } else if constexpr (std::is_same_v<N, float>) {
+    return rounding::widened(v); // with DAZ too
   } else if constexpr (exactly_a_double<N>) {
     return static_cast<double>(v);
   } else {
@@ -70,6 +72,8 @@ template <class N> double round_down(const N& v) {
 template <class N> double round_up(const N& v) {
   if constexpr (std::is_enum_v<N>) {
     return round_up(static_cast<std::underlying_type_t<N>>(v));
+  } else if constexpr (std::is_same_v<N, float>) {
+    return rounding::widened(v); // with DAZ too
   } else if constexpr (exactly_a_double<N>) {
     return static_cast<double>(v);
   } else {
