@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 #include <cstdio>
 #include <graze/batch.hpp>
+#include <graze/rounding/environment.hpp>
 #include <map>
 #include <random>
 #include <string>
@@ -90,6 +91,8 @@ public:
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-batch-bench"))
+    return 2;
   if (const auto reason = batch::refusal(batch::path::avx512)) {
     std::fprintf(stderr, "plain double is compiled for AVX-512 here: %s\n", reason->c_str());
     return 1;

@@ -5,6 +5,7 @@
 #include <graze/fuzz/generators.hpp>
 #include <graze/fuzz/method_traversal.hpp>
 #include <graze/octree/exact.hpp>
+#include <graze/rounding/environment.hpp>
 #include <graze/rounding/upward.hpp>
 #include <string>
 #include <vector>
@@ -65,6 +66,8 @@ template <octree::Method M> void traverse(benchmark::State& state, const fuzz::g
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-exact-bench"))
+    return 2;
   using rounding::upward;
   for (const fuzz::generator& g : fuzz::generators()) {
     const std::string name(g.name);

@@ -15,6 +15,7 @@
 #include <graze/octree/voxelizer.hpp>
 #include <graze/oracle/rational.hpp>
 #include <graze/oracle/roots.hpp>
+#include <graze/rounding/environment.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <vector>
 
@@ -161,6 +162,8 @@ std::vector<hard_ray> rays_of_asterisk() {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-hard-hits"))
+    return 2;
   if (argc > 1)
     level = std::atoi(argv[1]);
   if (argc > 2 || level < 1 || level > 50) {

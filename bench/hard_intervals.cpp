@@ -5,6 +5,7 @@
 #include "hard/expressions.hpp"
 #include <cstdio>
 #include <cstdlib>
+#include <graze/rounding/environment.hpp>
 
 namespace {
 
@@ -107,6 +108,8 @@ template <class L, class Expression> void evaluate(const Expression& e, const tr
 } // namespace
 
 int main() {
+  if (!graze::rounding::program_may_start("graze-hard-intervals"))
+    return 2;
   const std::string inari = graze::bench::inari_library::get().missing();
   std::string missing = GRAZE_BENCH_MISSING;
   if (!inari.empty())

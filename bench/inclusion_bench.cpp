@@ -11,6 +11,7 @@
 #include <graze/octree/asterisk.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree/voxelizer.hpp>
+#include <graze/rounding/environment.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -206,6 +207,8 @@ int complain(const char* why) {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-inclusion-bench"))
+    return 2;
   options how;
   how.repetitions = 3;
   how.size = 256;

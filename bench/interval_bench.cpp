@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <graze/rounding/environment.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -80,6 +81,8 @@ bool take_operands(int& argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("interval_bench"))
+    return 2;
   if (!take_operands(argc, argv)) {
     std::fprintf(stderr, "interval_bench: --operands takes a number from 1 to 4194304\n");
     return 2;

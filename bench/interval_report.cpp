@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <graze/rounding/environment.hpp>
 #include <map>
 #include <set>
 #include <tuple>
@@ -85,6 +86,8 @@ void report(const contender& c, const operand_set& set, const std::vector<graze:
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-interval-report"))
+    return 2;
   std::size_t count = size;
   std::string only;
   for (int i = 1; i < argc; ++i) {

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <graze/octree/lane_kernels.hpp>
 #include <graze/octree/surfaces.hpp>
+#include <graze/rounding/environment.hpp>
 
 namespace {
 using namespace graze;
@@ -180,6 +181,8 @@ int complain(const char* why) {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-traversal-bench"))
+    return 2;
   options how;
   const std::string mode = argc < 2 ? "" : argv[1];
   if (mode != "surface" && mode != "certified" && mode != "images" && mode != "table")

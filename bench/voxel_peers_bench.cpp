@@ -7,6 +7,7 @@
 #include "voxel_contestants.hpp"
 #include <cstdio>
 #include <cstdlib>
+#include <graze/rounding/environment.hpp>
 #include <string_view>
 
 namespace {
@@ -177,6 +178,8 @@ bool read(std::string_view argument, options& o) {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-voxel-peers"))
+    return 2;
   options asked;
   for (int i = 1; i < argc; ++i)
     if (!read(argv[i], asked))

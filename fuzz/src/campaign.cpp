@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <graze/fuzz/campaign.hpp>
+#include <graze/rounding/environment.hpp>
 #include <mutex>
 #include <thread>
 
@@ -97,6 +98,7 @@ void work(shared_state& shared) {
         const std::size_t some =
             under_test->visit_some(std::span(asked).subspan(answered, count - answered),
                                    std::span(said).subspan(answered));
+        rounding::set_default_environment(); // whatever a traversal in this process has left
         for (const std::size_t end = answered + some; answered < end; ++answered)
           one(plan.first_ray + k + answered, asked[answered], said[answered]);
       }

@@ -11,6 +11,7 @@
 #include <graze/fuzz/report.hpp>
 #include <graze/fuzz/reproducer.hpp>
 #include <graze/fuzz/self_command.hpp>
+#include <graze/rounding/environment.hpp>
 #include <thread>
 #include <unistd.h>
 
@@ -222,6 +223,8 @@ int list() {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-fuzz"))
+    return 2;
   CLI::App app{"Finds octants that a ray traversal misses, with an exact oracle."};
   app.footer(examples);
   app.require_subcommand(1);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <graze/fuzz/campaign_store.hpp>
+#include <graze/rounding/environment.hpp>
 #include <iterator>
 
 namespace {
@@ -51,6 +52,8 @@ int run_file(const fs::path& path) {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-fuzz-target"))
+    return 2;
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (!arguments.empty() && arguments[0] == "--seeds")
     return arguments.size() == 2 ? write_seeds(arguments[1]) : bad_input("--seeds wants a folder");

@@ -1,3 +1,4 @@
+#include "border.hpp"
 #include <algorithm>
 #include <cstring>
 #include <graze/boolean.hpp>
@@ -134,22 +135,37 @@ bool graze_nums_to_interval(double lower, double upper, graze_interval* result) 
 graze_interval graze_empty(void) { return out(bounds::empty()); }
 graze_interval graze_entire(void) { return out(bounds::entire()); }
 
-double graze_inf(graze_interval x) { return graze::inf(in(x)); }
-double graze_sup(graze_interval x) { return graze::sup(in(x)); }
-double graze_mid(graze_interval x) { return graze::mid(in(x)); }
-double graze_rad(graze_interval x) { return graze::rad(in(x)); }
-double graze_wid(graze_interval x) { return graze::wid(in(x)); }
-double graze_mag(graze_interval x) { return graze::mag(in(x)); }
-double graze_mig(graze_interval x) { return graze::mig(in(x)); }
+#define GRAZE_C_NUMBER(name)                                                                       \
+  double graze_##name(graze_interval x) {                                                          \
+    return graze::at_border<[](graze_interval t) { return graze::name(in(t)); }>(x);               \
+  }
+GRAZE_C_NUMBER(inf)
+GRAZE_C_NUMBER(sup)
+GRAZE_C_NUMBER(mid)
+GRAZE_C_NUMBER(rad)
+GRAZE_C_NUMBER(wid)
+GRAZE_C_NUMBER(mag)
+GRAZE_C_NUMBER(mig)
 
-bool graze_is_empty(graze_interval x) { return graze::is_empty(in(x)); }
-bool graze_is_entire(graze_interval x) { return graze::is_entire(in(x)); }
-bool graze_is_singleton(graze_interval x) { return graze::is_singleton(in(x)); }
-bool graze_is_common_interval(graze_interval x) { return graze::is_common_interval(in(x)); }
-bool graze_is_member(double m, graze_interval x) { return graze::is_member(m, in(x)); }
+#define GRAZE_C_TEST_OF_ONE(name)                                                                  \
+  bool graze_##name(graze_interval x) {                                                            \
+    return graze::at_border<[](graze_interval t) { return graze::name(in(t)); }>(x);               \
+  }
+GRAZE_C_TEST_OF_ONE(is_empty)
+GRAZE_C_TEST_OF_ONE(is_entire)
+GRAZE_C_TEST_OF_ONE(is_singleton)
+GRAZE_C_TEST_OF_ONE(is_common_interval)
+bool graze_is_member(double m, graze_interval x) {
+  return graze::at_border<[](double t, graze_interval u) { return graze::is_member(t, in(u)); }>(m,
+                                                                                                 x);
+}
 
 #define GRAZE_C_TEST(name)                                                                         \
-  bool graze_##name(graze_interval x, graze_interval y) { return graze::name(in(x), in(y)); }
+  bool graze_##name(graze_interval x, graze_interval y) {                                          \
+    return graze::at_border<[](graze_interval t, graze_interval u) {                               \
+      return graze::name(in(t), in(u));                                                            \
+    }>(x, y);                                                                                      \
+  }
 GRAZE_C_TEST(equal)
 GRAZE_C_TEST(subset)
 GRAZE_C_TEST(interior)
@@ -160,7 +176,9 @@ GRAZE_C_TEST(strict_precedes)
 GRAZE_C_TEST(disjoint)
 
 const char* graze_overlap(graze_interval x, graze_interval y) {
-  return graze::name_of(graze::overlap(in(x), in(y)));
+  return graze::at_border<[](graze_interval t, graze_interval u) {
+    return graze::name_of(graze::overlap(in(t), in(u)));
+  }>(x, y);
 }
 
 const char* graze_text_to_interval(const char* text, graze_interval* result) {

@@ -1,3 +1,4 @@
+#include "border.hpp"
 #include <algorithm>
 #include <graze/construct.hpp>
 
@@ -18,13 +19,13 @@ const char* name_of(exception e) {
 }
 
 signalling<bounds> nums_to_interval(double lower, double upper) {
-  if (checking::is_empty(lower, upper))
+  if (at_border<checking::is_empty>(lower, upper))
     return {bounds::empty(), exception::undefined_operation};
   return {{lower, upper}};
 }
 
 signalling<decorated_bounds> nums_to_decorated(double lower, double upper) {
-  if (checking::is_empty(lower, upper))
+  if (at_border<checking::is_empty>(lower, upper))
     return {decorated_bounds::nai(), exception::undefined_operation};
   return {new_dec({lower, upper})};
 }

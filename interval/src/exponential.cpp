@@ -11,9 +11,11 @@ __attribute__((noinline)) bounds exponential_each(double lo, double hi) {
 
 /// An increasing function with the domain (pole, inf), at whose lower end it is -inf.
 template <class Function> static bounds logarithm(double lo, double hi, double pole) {
-  if (!(hi > pole))
+  [[maybe_unused]] const typename Function::scope scope;
+  hold(lo, hi);
+  if (!(hi > pole && lo <= hi))
     return bounds::empty();
-  return increasing<Function>(lo > pole ? lo : pole, hi);
+  return increasing_within_scope<Function>(lo > pole ? lo : pole, hi);
 }
 
 __attribute__((noinline)) bounds logarithm_each(double lo, double hi) {
@@ -46,10 +48,10 @@ bounds expm1::value(bounds x) { return increasing_everywhere<point::expm1>(x.lo,
 bounds log::value(bounds x) {
 #if defined(__x86_64__)
   if (point::core_math::fused) {
-    if (!(x.hi > 0))
+    if (x.is_empty() || !rounding::exact::above_zero(x.hi))
       return bounds::empty();
     // the fast evaluation wants two positive ends; a lower one at the pole counts for nothing
-    const bool pole = x.lo <= 0;
+    const bool pole = !rounding::exact::above_zero(x.lo);
     bounds r = elementary::logarithm_pair(pole ? x.hi : x.lo, x.hi);
     r.lo = pole ? -checking::infinity : r.lo;
     return r;

@@ -1,3 +1,4 @@
+#include "border.hpp"
 #include <cmath>
 #include <graze/rounding/exact_fma.hpp>
 #include <graze/rounding/fused.hpp>
@@ -26,6 +27,7 @@ two product_of(double x, double y) {
 
 } // namespace
 
+namespace detail {
 double fma_up(double x, double y, double z) {
   const two p = product_of(x, y);
   // Here the product's error and all its parts are doubles, and no sum overflows.
@@ -43,7 +45,9 @@ double fma_up(double x, double y, double z) {
     return std::nextafter(u.value, std::numeric_limits<double>::infinity());
   return u.value;
 }
+} // namespace detail
 
+double fma_up(double x, double y, double z) { return graze::at_border<detail::fma_up>(x, y, z); }
 double fma_down(double x, double y, double z) { return -fma_up(-x, y, -z); }
 
 } // namespace graze::rounding

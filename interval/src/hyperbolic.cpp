@@ -18,8 +18,10 @@ bounds asinh::value(bounds x) { return increasing_everywhere<point::asinh>(x.lo,
 bounds cosh::value(bounds x) {
   if (x.is_empty())
     return bounds::empty();
-  return increasing<point::cosh>(elementary::mignitude(x.lo, x.hi),
-                                 elementary::magnitude(x.lo, x.hi));
+  [[maybe_unused]] const point::cosh::scope scope;
+  hold(x.lo, x.hi);
+  return elementary::increasing_within_scope<point::cosh>(elementary::mignitude(x.lo, x.hi),
+                                                          elementary::magnitude(x.lo, x.hi));
 }
 
 bounds acosh::value(bounds x) {

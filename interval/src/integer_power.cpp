@@ -1,4 +1,5 @@
 // x^n and the n-th root for any int n.
+#include "border.hpp"
 #include "wide_power.hpp"
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ template <int N> directed quickly_or_not(double x) {
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
   const quick_power r = quick<N>(bits & ~rounding::exact::sign_bit);
   if (!r.valid)
-    return pown_of_any(x, N);
+    return at_border<pown_of_any>(x, N);
   const std::uint64_t negative = N % 2 != 0 ? bits >> 63 : 0, sign = negative << 63;
   return {std::bit_cast<double>((r.down + negative) | sign),
           std::bit_cast<double>((r.down + (1 - negative)) | sign)};
@@ -71,7 +72,7 @@ directed pown(double x, int n) {
   case 8:
     return quickly_or_not<8>(x);
   default:
-    return pown_of_any(x, n);
+    return at_border<pown_of_any>(x, n);
   }
 }
 
@@ -139,6 +140,7 @@ directed root_of_positive(double x, int n) {
 
 } // namespace
 
+namespace inside {
 directed rootn(double x, int n) {
   const bool odd = (n & 1) != 0;
   if (x != x || n == 0 || (x < 0 && !odd) || (x == 0 && n < 0))
@@ -150,6 +152,8 @@ directed rootn(double x, int n) {
     return mirrored(x < 0, n > 0 ? directed{infinity, infinity} : directed{0, 0});
   return mirrored(x < 0, root_of_positive(magnitude_of_x, n));
 }
+} // namespace inside
+directed rootn(double x, int n) { return at_border<inside::rootn>(x, n); }
 
 } // namespace point
 
@@ -166,17 +170,41 @@ template <class Function> bounds around_pole(const bounds& x, int n, Function f)
 }
 } // namespace
 
+namespace inside {
+/// x^n for n > 0 odd, n > 0 even, and any n.
+bounds odd_power(bounds x, int n) {
+  return {point::pown_of_any(x.lo, n).down, point::pown_of_any(x.hi, n).up};
+}
+bounds even_power(bounds x, int n) {
+  const double greatest = std::max(-x.lo, x.hi);
+  const double least = x.contains(0) ? 0 : std::min(std::fabs(x.lo), std::fabs(x.hi));
+  return {least == 0 ? 0 : point::pown_of_any(least, n).down, point::pown_of_any(greatest, n).up};
+}
+bounds pown(bounds x, int n) {
+  const bool odd = (n & 1) != 0;
+  if (n > 0)
+    return odd ? odd_power(x, n) : even_power(x, n);
+  if (odd)
+    return around_pole(x, n, point::pown_of_any);
+  const double greatest = std::max(-x.lo, x.hi);
+  if (greatest == 0)
+    return bounds::empty();
+  const double least = x.contains(0) ? 0 : std::min(std::fabs(x.lo), std::fabs(x.hi));
+  return {point::pown_of_any(greatest, n).down,
+          least == 0 ? infinity : point::pown_of_any(least, n).up};
+}
+} // namespace inside
+
 namespace {
 
 /// Where quick<N> does not decide; out of line, so that the usual case saves no registers.
-[[gnu::cold, gnu::noinline]] bounds odd_power(const bounds x, int n) {
-  return {point::pown_of_any(x.lo, n).down, point::pown_of_any(x.hi, n).up};
-}
-[[gnu::cold, gnu::noinline]] bounds even_power(double least, double greatest, int n) {
-  return {least > 0 ? point::pown_of_any(least, n).down : 0, point::pown_of_any(greatest, n).up};
+[[gnu::cold, gnu::noinline]] bounds power_of_any(const bounds x, int n) {
+  return at_border<inside::pown>(x, n);
 }
 
-/// Without branches on signs, which for mixed ones are not predicted.
+/// Without branches on signs, which for mixed ones are not predicted. Where subnormal numbers count
+/// as zero (DAZ): an end of that size is not decided as the greatest, and as the least it has 0 for
+/// a lower bound either way.
 template <int N> [[gnu::noinline]] bounds positive_power(const bounds x) {
   if constexpr (N % 2 != 0) {
     const auto low_bits = std::bit_cast<std::uint64_t>(x.lo),
@@ -184,7 +212,7 @@ template <int N> [[gnu::noinline]] bounds positive_power(const bounds x) {
     const quick_power low_end = quick<N>(low_bits & ~rounding::exact::sign_bit);
     const quick_power high_end = quick<N>(high_bits & ~rounding::exact::sign_bit);
     if (!(low_end.valid && high_end.valid)) [[unlikely]]
-      return odd_power(x, N);
+      return power_of_any(x, N);
     const std::uint64_t low_negative = low_bits >> 63, high_negative = high_bits >> 63;
     return {std::bit_cast<double>((low_end.down + low_negative) | low_negative << 63),
             std::bit_cast<double>((high_end.down + (1 - high_negative)) | high_negative << 63)};
@@ -194,7 +222,7 @@ template <int N> [[gnu::noinline]] bounds positive_power(const bounds x) {
     const quick_power far = quick<N>(std::bit_cast<std::uint64_t>(greatest));
     const quick_power near = quick<N>(std::bit_cast<std::uint64_t>(holds_zero ? greatest : least));
     if (!(far.valid && near.valid)) [[unlikely]]
-      return even_power(least, greatest, N);
+      return power_of_any(x, N);
     return {std::bit_cast<double>(holds_zero ? 0 : near.down), std::bit_cast<double>(far.down + 1)};
   }
 }
@@ -226,34 +254,29 @@ bounds pown::value(bounds x, int n) {
   default:
     break;
   }
-  if ((n & 1) != 0)
-    return n > 0 ? bounds{point::pown(x.lo, n).down, point::pown(x.hi, n).up}
-                 : around_pole(x, n, point::pown);
-  const double greatest = std::max(-x.lo, x.hi);
-  const double least = x.contains(0) ? 0 : std::min(std::fabs(x.lo), std::fabs(x.hi));
-  if (n > 0)
-    return {least == 0 ? 0 : point::pown(least, n).down, point::pown(greatest, n).up};
-  if (greatest == 0)
-    return bounds::empty();
-  return {point::pown(greatest, n).down, least == 0 ? infinity : point::pown(least, n).up};
+  return power_of_any(x, n);
 }
 decoration pown::local(bounds x, int n) {
   return x.is_empty() || (n < 0 && x.contains(0)) ? decoration::trv : decoration::dac;
 }
 
-bounds rootn::value(bounds x, int n) {
+namespace inside {
+bounds rootn(bounds x, int n) {
   if (x.is_empty() || n == 0)
     return bounds::empty();
   if ((n & 1) != 0)
-    return n > 0 ? bounds{point::rootn(x.lo, n).down, point::rootn(x.hi, n).up}
-                 : around_pole(x, n, point::rootn);
+    return n > 0 ? bounds{point::inside::rootn(x.lo, n).down, point::inside::rootn(x.hi, n).up}
+                 : around_pole(x, n, point::inside::rootn);
   if (x.hi < 0 || (n < 0 && x.hi == 0))
     return bounds::empty();
   const double least = std::max(x.lo, 0.0);
   if (n > 0)
-    return {point::rootn(least, n).down, point::rootn(x.hi, n).up};
-  return {point::rootn(x.hi, n).down, least == 0 ? infinity : point::rootn(least, n).up};
+    return {point::inside::rootn(least, n).down, point::inside::rootn(x.hi, n).up};
+  return {point::inside::rootn(x.hi, n).down,
+          least == 0 ? infinity : point::inside::rootn(least, n).up};
 }
+} // namespace inside
+bounds rootn::value(bounds x, int n) { return at_border<inside::rootn>(x, n); }
 decoration rootn::local(bounds x, int n) {
   const bool odd = (n & 1) != 0;
   if (x.is_empty() || n == 0 || (!odd && x.lo < 0) || (n < 0 && x.contains(0)))

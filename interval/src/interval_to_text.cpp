@@ -1,3 +1,4 @@
+#include "border.hpp"
 #include "natural.hpp"
 #include <algorithm>
 #include <bit>
@@ -132,13 +133,19 @@ std::ostream& put(std::ostream& out, const auto& x) {
 
 } // namespace
 
-std::string interval_to_text(const bounds& x, text_style style) {
+namespace inside {
+std::string text_of(bounds x, text_style style) {
   if (x.is_empty())
     return "[empty]";
   if (x.lo == -checking::infinity && x.hi == checking::infinity)
     return "[entire]";
   const std::string lower = written(x.lo, false, style), upper = written(x.hi, true, style);
   return lower == upper ? "[" + lower + "]" : "[" + lower + ", " + upper + "]";
+}
+} // namespace inside
+
+std::string interval_to_text(const bounds& x, text_style style) {
+  return at_border<inside::text_of>(x, style);
 }
 
 std::string interval_to_text(const decorated_bounds& x, text_style style) {

@@ -46,10 +46,8 @@ GRAZE_DEFINE(cbrt)
   }
 GRAZE_DEFINE(atan2)
 GRAZE_DEFINE(hypot)
+GRAZE_DEFINE(pow)
 #undef GRAZE_DEFINE
-
-double pow_down(double x, double y) { return correctly_rounded::pow::down(x, y); }
-double pow_up(double x, double y) { return correctly_rounded::pow::up(x, y); }
 
 const char* source() {
 #if defined(GRAZE_ELEMENTARY_CRLIBM)

@@ -17,6 +17,7 @@ bounds hypot::value(bounds x, bounds y) {
   if (x.is_empty() || y.is_empty())
     return bounds::empty();
   const point::hypot::scope scope;
+  hold(x.lo, x.hi), hold(y.lo, y.hi);
   return {point::hypot::down(elementary::mignitude(x.lo, x.hi), elementary::mignitude(y.lo, y.hi)),
           point::hypot::up(elementary::magnitude(x.lo, x.hi), elementary::magnitude(y.lo, y.hi))};
 }
@@ -29,6 +30,8 @@ decoration hypot::local(bounds x, bounds y) {
 /// corner is infinite or s = 0, for which C's pow has the right values: 0^t = inf for t < 0,
 /// s^-inf, 1^inf = 1, inf^0 = 1.
 bounds pow::value(bounds x, bounds y) {
+  const point::pow::scope scope;
+  hold(x.lo, x.hi), hold(y.lo, y.hi);
   if (!(x.hi >= 0) || y.is_empty())
     return bounds::empty();
   const double a = x.lo > 0 ? x.lo : 0, b = x.hi, c = y.lo, d = y.hi;
@@ -39,12 +42,14 @@ bounds pow::value(bounds x, bounds y) {
   if (d <= 0)
     return {point::pow::down(b, b > 1 ? c : d), point::pow::up(a, a < 1 ? c : d)};
   // 1 is in the range; the corners on either side of it are not always both needed.
-  return {b <= 1   ? point::pow::down(a, d)
-          : a >= 1 ? point::pow::down(b, c)
-                   : std::min(point::pow::down(a, d), point::pow::down(b, c)),
-          b <= 1   ? point::pow::up(a, c)
-          : a >= 1 ? point::pow::up(b, d)
-                   : std::max(point::pow::up(a, c), point::pow::up(b, d))};
+  bounds r{b <= 1   ? point::pow::down(a, d)
+           : a >= 1 ? point::pow::down(b, c)
+                    : std::min(point::pow::down(a, d), point::pow::down(b, c)),
+           b <= 1   ? point::pow::up(a, c)
+           : a >= 1 ? point::pow::up(b, d)
+                    : std::max(point::pow::up(a, c), point::pow::up(b, d))};
+  hold(r.lo, r.hi);
+  return r;
 }
 decoration pow::local(bounds x, bounds y) {
   return elementary::continuous(!x.is_empty() && !y.is_empty() &&

@@ -1,4 +1,5 @@
 // coth, sech, csch and acoth.
+#include "border.hpp"
 #include "wide_functions.hpp"
 #include "wide_rounding.hpp"
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace point {
 // algebraic numbers other than 0 (Lindemann). For |x| < 2^-60, coth x = (1 + x^2/3 - ...)/x and
 // csch x = (1 - x^2/6 + ...)/x are within 2^-121 of 1/x.
 
+namespace inside {
 directed coth(double x) {
   const double magnitude = std::fabs(x);
   if (!(0 < magnitude))
@@ -30,9 +32,12 @@ directed coth(double x) {
                     return enclosed<N>(f.cosine / f.sine, error_of_quotients, error_of_quotients);
                   }));
 }
+} // namespace inside
+directed coth(double x) { return at_border<inside::coth>(x); }
 
 // 2 exp(-746) < 2^-1074
 
+namespace inside {
 directed sech(double x) {
   const double magnitude = std::fabs(x);
   if (x != x)
@@ -46,7 +51,10 @@ directed sech(double x) {
     return enclosed<N>(one<N> / f.cosine, error_of_quotients, error_of_quotients);
   });
 }
+} // namespace inside
+directed sech(double x) { return at_border<inside::sech>(x); }
 
+namespace inside {
 directed csch(double x) {
   const double magnitude = std::fabs(x);
   if (!(0 < magnitude))
@@ -60,6 +68,8 @@ directed csch(double x) {
                     return enclosed<N>(one<N> / f.sine, error_of_quotients, error_of_quotients);
                   }));
 }
+} // namespace inside
+directed csch(double x) { return at_border<inside::csch>(x); }
 
 namespace {
 /// t = acoth x is where y(t) = 1 for y(m) = (x - 1) sinh(m) exp(m) = (x - 1)/2 (exp(2 m) - 1). y is
@@ -78,6 +88,7 @@ template <int N> residual acoth_residual(double x, double m) {
 }
 } // namespace
 
+namespace inside {
 directed acoth(double x) {
   const double magnitude = std::fabs(x);
   if (!(1 < magnitude))
@@ -94,6 +105,8 @@ directed acoth(double x) {
                                return sufficient(r) ? r : acoth_residual<4>(magnitude, m);
                              }));
 }
+} // namespace inside
+directed acoth(double x) { return at_border<inside::acoth>(x); }
 
 } // namespace point
 
@@ -116,30 +129,43 @@ template <class Function> bounds around_pole(const bounds& x, Function f) {
 }
 } // namespace
 
-bounds coth::value(bounds x) { return around_pole(x, point::coth); }
+namespace inside {
+bounds coth(bounds x) { return around_pole(x, point::inside::coth); }
+} // namespace inside
+bounds coth::value(bounds x) { return at_border<inside::coth>(x); }
 decoration coth::local(bounds x) { return off_zero(x); }
 
-bounds csch::value(bounds x) { return around_pole(x, point::csch); }
+namespace inside {
+bounds csch(bounds x) { return around_pole(x, point::inside::csch); }
+} // namespace inside
+bounds csch::value(bounds x) { return at_border<inside::csch>(x); }
 decoration csch::local(bounds x) { return off_zero(x); }
 
-bounds sech::value(bounds x) {
+namespace inside {
+bounds sech(bounds x) {
   if (x.is_empty())
     return x;
   const double least = x.contains(0) ? 0 : std::min(std::fabs(x.lo), std::fabs(x.hi));
-  return {point::sech(std::max(-x.lo, x.hi)).down, point::sech(least).up};
+  return {point::inside::sech(std::max(-x.lo, x.hi)).down, point::inside::sech(least).up};
 }
+} // namespace inside
+bounds sech::value(bounds x) { return at_border<inside::sech>(x); }
 decoration sech::local(bounds x) { return x.is_empty() ? decoration::trv : decoration::dac; }
 
-bounds acoth::value(bounds x) {
+namespace inside {
+bounds acoth(bounds x) {
   const bool left = x.lo < -1, right = x.hi > 1;
   if (left && right) // both sides of the gap reach its ends, where acoth is unbounded
     return bounds::entire();
   if (left)
-    return {x.hi >= -1 ? -infinity : point::acoth(x.hi).down, point::acoth(x.lo).up};
+    return {x.hi >= -1 ? -infinity : point::inside::acoth(x.hi).down,
+            point::inside::acoth(x.lo).up};
   if (right)
-    return {point::acoth(x.hi).down, x.lo <= 1 ? infinity : point::acoth(x.lo).up};
+    return {point::inside::acoth(x.hi).down, x.lo <= 1 ? infinity : point::inside::acoth(x.lo).up};
   return bounds::empty();
 }
+} // namespace inside
+bounds acoth::value(bounds x) { return at_border<inside::acoth>(x); }
 decoration acoth::local(bounds x) {
   return x.hi < -1 || x.lo > 1 ? decoration::dac : decoration::trv;
 }

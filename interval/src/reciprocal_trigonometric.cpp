@@ -1,4 +1,5 @@
 // cot, sec, csc and acot.
+#include "border.hpp"
 #include "wide_functions.hpp"
 #include "wide_rounding.hpp"
 #include <cmath>
@@ -15,6 +16,7 @@ namespace point {
 // transcendental at algebraic numbers other than 0 (Lindemann). For |x| < 2^-60,
 // cot x = (1 - x^2/3 - ...)/x and csc x = (1 + x^2/6 + ...)/x are within 2^-121 of 1/x.
 
+namespace inside {
 directed cot(double x) {
   const double magnitude = std::fabs(x);
   if (!(0 < magnitude && magnitude < infinity))
@@ -29,7 +31,10 @@ directed cot(double x) {
   });
   return mirrored(negative, d);
 }
+} // namespace inside
+directed cot(double x) { return at_border<inside::cot>(x); }
 
+namespace inside {
 directed sec(double x) {
   const double magnitude = std::fabs(x);
   if (!(magnitude < infinity))
@@ -46,7 +51,10 @@ directed sec(double x) {
   });
   return mirrored(negative, d);
 }
+} // namespace inside
+directed sec(double x) { return at_border<inside::sec>(x); }
 
+namespace inside {
 directed csc(double x) {
   const double magnitude = std::fabs(x);
   if (!(0 < magnitude && magnitude < infinity))
@@ -61,6 +69,8 @@ directed csc(double x) {
   });
   return mirrored(negative, d);
 }
+} // namespace inside
+directed csc(double x) { return at_border<inside::csc>(x); }
 
 namespace {
 constexpr double half_pi_down = 0x1.921fb54442d18p+0; // pi/2 - 6.1e-17
@@ -90,6 +100,7 @@ template <int N> residual acot_residual(double x, double m) {
 }
 } // namespace
 
+namespace inside {
 directed acot(double x) {
   if (x != x)
     return {x, x};
@@ -104,6 +115,8 @@ directed acot(double x) {
     return sufficient(r) ? r : acot_residual<4>(x, m);
   });
 }
+} // namespace inside
+directed acot(double x) { return at_border<inside::acot>(x); }
 
 } // namespace point
 
@@ -159,17 +172,21 @@ bool holds_multiple_of_pi(const bounds& x) {
 
 } // namespace
 
-bounds cot::value(bounds x) {
+namespace inside {
+bounds cot(bounds x) {
   if (x.is_empty() || is_zero(x))
     return bounds::empty();
   if (crosses(quadrants_of(x), false))
     return bounds::entire();
-  return {x.hi == 0 ? -infinity : point::cot(x.hi).down,
-          x.lo == 0 ? infinity : point::cot(x.lo).up};
+  return {x.hi == 0 ? -infinity : point::inside::cot(x.hi).down,
+          x.lo == 0 ? infinity : point::inside::cot(x.lo).up};
 }
+} // namespace inside
+bounds cot::value(bounds x) { return at_border<inside::cot>(x); }
 decoration cot::local(bounds x) { return unless(x.is_empty() || holds_multiple_of_pi(x)); }
 
-bounds csc::value(bounds x) {
+namespace inside {
+bounds csc(bounds x) {
   if (x.is_empty() || is_zero(x))
     return bounds::empty();
   const quadrants q = quadrants_of(x);
@@ -177,14 +194,17 @@ bounds csc::value(bounds x) {
     return bounds::entire();
   const bool extremum = q.crossings == 1;
   if (x.lo == 0) // the pole is an end
-    return {extremum ? 1 : point::csc(x.hi).down, infinity};
+    return {extremum ? 1 : point::inside::csc(x.hi).down, infinity};
   if (x.hi == 0)
-    return {-infinity, extremum ? -1 : point::csc(x.lo).up};
-  return between_poles(point::csc(x.lo), point::csc(x.hi), extremum);
+    return {-infinity, extremum ? -1 : point::inside::csc(x.lo).up};
+  return between_poles(point::inside::csc(x.lo), point::inside::csc(x.hi), extremum);
 }
+} // namespace inside
+bounds csc::value(bounds x) { return at_border<inside::csc>(x); }
 decoration csc::local(bounds x) { return unless(x.is_empty() || holds_multiple_of_pi(x)); }
 
-bounds sec::value(bounds x) {
+namespace inside {
+bounds sec(bounds x) {
   if (x.is_empty())
     return x;
   if (is_zero(x))
@@ -192,17 +212,22 @@ bounds sec::value(bounds x) {
   const quadrants q = quadrants_of(x);
   if (crosses(q, true))
     return bounds::entire();
-  return between_poles(point::sec(x.lo), point::sec(x.hi), q.crossings == 1);
+  return between_poles(point::inside::sec(x.lo), point::inside::sec(x.hi), q.crossings == 1);
 }
+} // namespace inside
+bounds sec::value(bounds x) { return at_border<inside::sec>(x); }
 decoration sec::local(bounds x) {
   return unless(x.is_empty() || (!is_zero(x) && crosses(quadrants_of(x), true)));
 }
 
-bounds acot::value(bounds x) {
+namespace inside {
+bounds acot(bounds x) {
   if (x.is_empty())
     return x;
-  return {point::acot(x.hi).down, point::acot(x.lo).up};
+  return {point::inside::acot(x.hi).down, point::inside::acot(x.lo).up};
 }
+} // namespace inside
+bounds acot::value(bounds x) { return at_border<inside::acot>(x); }
 decoration acot::local(bounds x) { return unless(x.is_empty()); }
 
 } // namespace functions

@@ -1,3 +1,4 @@
+#include "border.hpp"
 #include "long_accumulator.hpp"
 #include <cassert>
 #include <cmath>
@@ -85,6 +86,7 @@ private:
 
 } // namespace
 
+namespace inside {
 double sum(std::span<const double> x, rounded to) {
   sum_so_far s;
   for (const double t : x)
@@ -114,6 +116,14 @@ double dot(std::span<const double> x, std::span<const double> y, rounded to) {
   for (std::size_t i = 0; i < x.size(); ++i)
     s.add_product(x[i], y[i]);
   return s.round(to);
+}
+} // namespace inside
+
+double sum(std::span<const double> x, rounded to) { return at_border<inside::sum>(x, to); }
+double sum_abs(std::span<const double> x, rounded to) { return at_border<inside::sum_abs>(x, to); }
+double sum_sqr(std::span<const double> x, rounded to) { return at_border<inside::sum_sqr>(x, to); }
+double dot(std::span<const double> x, std::span<const double> y, rounded to) {
+  return at_border<inside::dot>(x, y, to);
 }
 
 } // namespace graze

@@ -1,4 +1,5 @@
 /// Reverse operations of sqr, abs, pown and cosh: the solutions are roots and their mirror images.
+#include "border.hpp"
 #include "solution_set.hpp"
 #include <graze/functions/reverse.hpp>
 #include <graze/point.hpp>
@@ -39,20 +40,30 @@ void add_negative_power(hull_within& hull, const bounds& c, int n, bool mirrored
 
 } // namespace
 
-bounds sqr_rev::value(bounds c, bounds x) {
+namespace inside {
+bounds sqr_rev(bounds c, bounds x) {
   using backend = rounding::nearest;
   return even(c, x, 0, [](double y) { return end{backend::sqrt_down(y), backend::sqrt_up(y)}; });
 }
+} // namespace inside
+bounds sqr_rev::value(bounds c, bounds x) { return at_border<inside::sqr_rev>(c, x); }
 
-bounds abs_rev::value(bounds c, bounds x) {
+namespace inside {
+bounds abs_rev(bounds c, bounds x) {
   return even(c, x, 0, [](double y) { return at(y); });
 }
+} // namespace inside
+bounds abs_rev::value(bounds c, bounds x) { return at_border<inside::abs_rev>(c, x); }
 
-bounds cosh_rev::value(bounds c, bounds x) {
+namespace inside {
+bounds cosh_rev(bounds c, bounds x) {
   return even(c, x, 1, [](double y) { return end{point::acosh_down(y), point::acosh_up(y)}; });
 }
+} // namespace inside
+bounds cosh_rev::value(bounds c, bounds x) { return at_border<inside::cosh_rev>(c, x); }
 
-bounds pown_rev::value(bounds c, bounds x, int n) {
+namespace inside {
+bounds pown_rev(bounds c, bounds x, int n) {
   if (c.is_empty())
     return bounds::empty();
   if (n == 0)
@@ -70,5 +81,7 @@ bounds pown_rev::value(bounds c, bounds x, int n) {
            c.hi < infinity ? root(c.hi) : unbounded_above);
   return hull.result();
 }
+} // namespace inside
+bounds pown_rev::value(bounds c, bounds x, int n) { return at_border<inside::pown_rev>(c, x, n); }
 
 } // namespace graze::functions

@@ -1,4 +1,5 @@
 /// Reverse multiplication: all quotients, the divisor's sign at a time.
+#include "border.hpp"
 #include "solution_set.hpp"
 #include <graze/functions/reverse.hpp>
 #include <graze/rounding/nearest.hpp>
@@ -61,7 +62,8 @@ bounds hull(const solution& s) { return s.exists ? bounds{s.lo.down, s.hi.up} : 
 
 } // namespace
 
-bounds mul_rev::value(bounds b, bounds c, bounds x) {
+namespace inside {
+bounds mul_rev(bounds b, bounds c, bounds x) {
   const all_solutions s = solve(b, c);
   if (s.everything)
     return x;
@@ -71,8 +73,11 @@ bounds mul_rev::value(bounds b, bounds c, bounds x) {
       within.add(piece.lo, piece.hi);
   return within.result();
 }
+} // namespace inside
+bounds mul_rev::value(bounds b, bounds c, bounds x) { return at_border<inside::mul_rev>(b, c, x); }
 
-std::pair<bounds, bounds> mul_rev_to_pair::value(bounds b, bounds c) {
+namespace inside {
+std::pair<bounds, bounds> mul_rev_to_pair(bounds b, bounds c) {
   const all_solutions s = solve(b, c);
   if (s.everything)
     return {bounds::entire(), bounds::empty()};
@@ -81,6 +86,10 @@ std::pair<bounds, bounds> mul_rev_to_pair::value(bounds b, bounds c) {
     return {negative.is_empty() ? positive : negative, bounds::empty()};
   // Both signs of u: c lies on one side of 0, hence so does each set of solutions.
   return negative.lo < positive.lo ? std::pair{negative, positive} : std::pair{positive, negative};
+}
+} // namespace inside
+std::pair<bounds, bounds> mul_rev_to_pair::value(bounds b, bounds c) {
+  return at_border<inside::mul_rev_to_pair>(b, c);
 }
 
 decoration mul_rev_to_pair::local(bounds b, bounds c) {

@@ -4,6 +4,7 @@
 /// side form an interval whose ends are powers z^(1/y) or logarithms log_u(z), or are open at 0, 1
 /// and infinity. The greatest double <= such an end is found from an estimate, and decided by the
 /// correctly rounded power: m <= z^(1/y) iff m^y <= z iff RU(m^y) <= z, for y > 0.
+#include "border.hpp"
 #include "solution_set.hpp"
 #include <bit>
 #include <cstdint>
@@ -84,7 +85,8 @@ end negative_logarithm(double u, double z) {
 
 } // namespace
 
-bounds pow_rev1::value(bounds b, bounds c, bounds x) {
+namespace inside {
+bounds pow_rev1(bounds b, bounds c, bounds x) {
   if (b.is_empty() || c.is_empty())
     return bounds::empty();
   hull_within hull(x);
@@ -112,8 +114,13 @@ bounds pow_rev1::value(bounds b, bounds c, bounds x) {
              c.lo > 1 && b.lo > -infinity ? root(c.lo, b.lo) : just_below(1));
   return hull.result();
 }
+} // namespace inside
+bounds pow_rev1::value(bounds b, bounds c, bounds x) {
+  return at_border<inside::pow_rev1>(b, c, x);
+}
 
-bounds pow_rev2::value(bounds a, bounds c, bounds x) {
+namespace inside {
+bounds pow_rev2(bounds a, bounds c, bounds x) {
   if (a.is_empty() || c.is_empty())
     return bounds::empty();
   hull_within hull(x);
@@ -140,6 +147,10 @@ bounds pow_rev2::value(bounds a, bounds c, bounds x) {
     hull.add(c.hi < infinity && a.hi < 1 ? negative_logarithm(a.hi, c.hi) : unbounded_below,
              c.lo > 1 && a.lo > 0 ? negative_logarithm(a.lo, c.lo) : just_below(0));
   return hull.result();
+}
+} // namespace inside
+bounds pow_rev2::value(bounds a, bounds c, bounds x) {
+  return at_border<inside::pow_rev2>(a, c, x);
 }
 
 } // namespace graze::functions

@@ -9,6 +9,7 @@
 /// >= q). That m is never equal to t but at 0 (Lindemann: sin, cos and tan of a rational number
 /// that is not 0 are no rational numbers), and t near 0 is a correctly rounded value of the inverse
 /// function.
+#include "border.hpp"
 #include "solution_set.hpp"
 #include <graze/functions/reverse.hpp>
 #include <graze/point.hpp>
@@ -116,21 +117,27 @@ bounds mirrored(const bounds& x) { return {-x.hi, -x.lo}; }
 
 } // namespace
 
-bounds sin_rev::value(bounds c, bounds x) {
+namespace inside {
+bounds sin_rev(bounds c, bounds x) {
   if (c.is_empty() || x.is_empty() || c.lo > 1 || c.hi < -1)
     return bounds::empty();
   if (c.lo <= -1 && c.hi >= 1)
     return x;
   return between(x, first_solution(0, c, x.lo), first_solution(0, mirrored(c), -x.hi));
 }
+} // namespace inside
+bounds sin_rev::value(bounds c, bounds x) { return at_border<inside::sin_rev>(c, x); }
 
-bounds cos_rev::value(bounds c, bounds x) {
+namespace inside {
+bounds cos_rev(bounds c, bounds x) {
   if (c.is_empty() || x.is_empty() || c.lo > 1 || c.hi < -1)
     return bounds::empty();
   if (c.lo <= -1 && c.hi >= 1)
     return x;
   return between(x, first_solution(1, c, x.lo), first_solution(1, c, -x.hi));
 }
+} // namespace inside
+bounds cos_rev::value(bounds c, bounds x) { return at_border<inside::cos_rev>(c, x); }
 
 namespace {
 
@@ -160,10 +167,13 @@ start first_tangent(const bounds& c, double x) {
 
 } // namespace
 
-bounds tan_rev::value(bounds c, bounds x) {
+namespace inside {
+bounds tan_rev(bounds c, bounds x) {
   if (c.is_empty() || x.is_empty())
     return bounds::empty();
   return between(x, first_tangent(c, x.lo), first_tangent(mirrored(c), -x.hi));
 }
+} // namespace inside
+bounds tan_rev::value(bounds c, bounds x) { return at_border<inside::tan_rev>(c, x); }
 
 } // namespace graze::functions

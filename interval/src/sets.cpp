@@ -1,3 +1,4 @@
+#include "border.hpp"
 #include "long_accumulator.hpp"
 #include <algorithm>
 #include <graze/functions/arithmetic.hpp>
@@ -48,20 +49,25 @@ const char* name_of(overlap_state state) {
 
 namespace functions {
 
-bounds intersection::value(bounds x, bounds y) {
+namespace inside {
+bounds intersection(bounds x, bounds y) {
   if (x.is_empty() || y.is_empty() || x.hi < y.lo || y.hi < x.lo)
     return bounds::empty();
   return {std::max(x.lo, y.lo), std::min(x.hi, y.hi)};
 }
-decoration intersection::local(bounds, bounds) { return decoration::trv; }
-
-bounds convex_hull::value(bounds x, bounds y) {
+bounds convex_hull(bounds x, bounds y) {
   if (x.is_empty())
     return y;
   if (y.is_empty())
     return x;
   return {std::min(x.lo, y.lo), std::max(x.hi, y.hi)};
 }
+} // namespace inside
+
+bounds intersection::value(bounds x, bounds y) { return at_border<inside::intersection>(x, y); }
+decoration intersection::local(bounds, bounds) { return decoration::trv; }
+
+bounds convex_hull::value(bounds x, bounds y) { return at_border<inside::convex_hull>(x, y); }
 decoration convex_hull::local(bounds, bounds) { return decoration::trv; }
 
 namespace {
@@ -81,13 +87,17 @@ bool as_wide(const bounds& x, const bounds& y) {
 }
 } // namespace
 
-bounds cancel_minus::value(bounds x, bounds y) {
+namespace inside {
+bounds cancel_minus(bounds x, bounds y) {
   if (x.is_empty() && (y.is_empty() || y.is_common()))
     return bounds::empty();
   if (!x.is_common() || !y.is_common() || !as_wide(x, y))
     return bounds::entire();
   return {rounding::nearest::sub_down(x.lo, y.lo), rounding::nearest::sub_up(x.hi, y.hi)};
 }
+} // namespace inside
+
+bounds cancel_minus::value(bounds x, bounds y) { return at_border<inside::cancel_minus>(x, y); }
 decoration cancel_minus::local(bounds, bounds) { return decoration::trv; }
 
 bounds cancel_plus::value(bounds x, bounds y) { return cancel_minus::value(x, neg::value(y)); }

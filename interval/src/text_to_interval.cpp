@@ -1,4 +1,5 @@
 // The grammar of interval literals: IEEE 1788-2015, 12.11.3 (table 12.1 and the text below it).
+#include "border.hpp"
 #include "exact_number.hpp"
 #include <algorithm>
 #include <graze/text.hpp>
@@ -281,6 +282,8 @@ bool is_nai(std::string_view literal) {
 
 } // namespace
 
+namespace inside {
+
 signalling<bounds> text_to_interval(std::string_view text) {
   reader r(text);
   const auto m = take_literal(r);
@@ -313,6 +316,15 @@ signalling<decorated_bounds> text_to_decorated(std::string_view text) {
   if (!r.at_end() || written == ill || written > possible)
     return failure;
   return {{m->enclosure, std::min(written, best)}, m->signal};
+}
+
+} // namespace inside
+
+signalling<bounds> text_to_interval(std::string_view text) {
+  return at_border<inside::text_to_interval>(text);
+}
+signalling<decorated_bounds> text_to_decorated(std::string_view text) {
+  return at_border<inside::text_to_decorated>(text);
 }
 
 } // namespace graze

@@ -58,6 +58,8 @@ template <class Function, int Shift>
 __attribute__((noinline)) bounds wave_by_each(double lo, double hi) {
   if (lo != lo)
     return bounds::empty();
+  [[maybe_unused]] const typename Function::scope scope;
+  hold(lo, hi);
   constexpr bounds all{-1, 1};
   const double width = hi - lo; // infinite if an end is
   if (!(width < 8))             // more than 5/2 pi
@@ -70,7 +72,6 @@ __attribute__((noinline)) bounds wave_by_each(double lo, double hi) {
   const bool greatest = to_greatest < crossed, least = to_least < crossed;
   if (greatest && least)
     return all;
-  [[maybe_unused]] const typename Function::scope scope;
   bounds range = all;
   if (!greatest && !least) {
     Function::both(lo, hi, range.lo, range.hi);
@@ -117,10 +118,13 @@ bool has_pole(double lo, double hi) {
   return crossed >= 2 || (crossed == 1 && a.number() % 2 == 0);
 }
 
-__attribute__((noinline)) bounds tangent_by_each(const bounds& x) {
+__attribute__((noinline)) bounds tangent_by_each(bounds x) {
   if (!x.is_common())
     return x.is_empty() ? bounds::empty() : bounds::entire();
-  return has_pole(x.lo, x.hi) ? bounds::entire() : elementary::increasing<point::tan>(x.lo, x.hi);
+  [[maybe_unused]] const point::tan::scope scope;
+  hold(x.lo, x.hi);
+  return has_pole(x.lo, x.hi) ? bounds::entire()
+                              : elementary::increasing_within_scope<point::tan>(x.lo, x.hi);
 }
 
 } // namespace
@@ -164,9 +168,10 @@ decoration atan::local(bounds x) { return everywhere(x); }
 
 namespace {
 /// atan2 over a box that holds no points on both sides of the cut; not empty, nor y = [0, 0].
-__attribute__((noinline)) bounds angle_by_each(const bounds& y, const bounds& x) {
-  // + 0.0: a zero of negative sign would be taken for the other side of the cut.
+__attribute__((noinline)) bounds angle_by_each(bounds y, bounds x) {
   const point::atan2::scope scope;
+  hold(y.lo, y.hi), hold(x.lo, x.hi);
+  // + 0.0: a zero of negative sign would be taken for the other side of the cut.
   if (y.lo >= 0)
     return {point::atan2::down((x.hi > 0 ? y.lo : y.hi) + 0.0, x.hi),
             point::atan2::up((x.lo < 0 ? y.lo : y.hi) + 0.0, x.lo)};
@@ -183,12 +188,13 @@ __attribute__((noinline)) bounds angle_by_each(const bounds& y, const bounds& x)
 bounds atan2::value(bounds y, bounds x) {
   if (x.is_empty() || y.is_empty())
     return bounds::empty();
-  if (x.lo < 0 && y.lo < 0 && y.hi >= 0) // the cut, from below
+  using namespace rounding::exact;                               // comparisons for any environment
+  if (below_zero(x.lo) && below_zero(y.lo) && !below_zero(y.hi)) // the cut, from below
     return {-pi_up, pi_up};
-  if (y.lo == 0 && y.hi == 0) {
-    if (x.lo == 0 && x.hi == 0)
+  if (is_zero(y.lo) && is_zero(y.hi)) {
+    if (is_zero(x.lo) && is_zero(x.hi))
       return bounds::empty();
-    return {x.hi > 0 ? 0 : pi_down, x.lo < 0 ? pi_up : 0};
+    return {above_zero(x.hi) ? 0 : pi_down, below_zero(x.lo) ? pi_up : 0};
   }
 #if defined(__x86_64__)
   if (point::core_math::fused) {

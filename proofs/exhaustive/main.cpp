@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <graze/exhaustive/tiny_float.hpp>
 #include <graze/octree/ray_bounds.hpp>
+#include <graze/rounding/environment.hpp>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -203,6 +204,8 @@ template <int Precision, int Emin, int Emax> struct run_of {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-exhaustive"))
+    return 2;
   CLI::App app{"Every ray and every box over a tiny float, against exact arithmetic"};
   std::uint64_t directions = 0;
   int bits = 2;

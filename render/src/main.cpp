@@ -10,6 +10,7 @@
 #include <graze/octree_formula.hpp>
 #include <graze/render/atomic_file.hpp>
 #include <graze/render/scene_text.hpp>
+#include <graze/rounding/environment.hpp>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -280,6 +281,8 @@ void declare(CLI::App& app, request& r) {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-render"))
+    return 2;
   request r;
   r.domain = "-2,2";
   CLI::App app(

@@ -10,6 +10,7 @@
 #include <graze/octree_file.hpp>
 #include <graze/render/atomic_file.hpp>
 #include <graze/render/scene.hpp>
+#include <graze/rounding/environment.hpp>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -153,6 +154,8 @@ int voxelize_to_file(const request& r) {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-voxelize"))
+    return 2;
   request r;
   CLI::App app("Voxelizes the surface of a scene: every octant of a level that the surface meets,\n"
                "proven by interval arithmetic, in a file with a checksum.",

@@ -1,8 +1,14 @@
-// What entry points look at before they trust the processor.
+// What the environment of a thread does to bounds: nothing, or it is refused. The matrix of all
+// operations in all environments is tests/environments.
 #include <catch2/catch.hpp>
 #include <cfenv>
+#include <graze/graze.h>
+#include <graze/interval.hpp>
 #include <graze/rounding/environment.hpp>
+#include <graze/rounding/fused.hpp>
 #include <graze/rounding/split.hpp>
+#include <graze/rounding/switching.hpp>
+#include <graze/rounding/upward.hpp>
 
 namespace rounding = graze::rounding;
 namespace hardware = graze::rounding::hardware;
@@ -59,4 +65,109 @@ TEST_CASE("interval.split: fesetround rewrites both control words, the scope put
   CHECK((within & 0x0c00) == 0x0400);
   CHECK(hardware::x87_control() == found);
   CHECK(std::fegetround() == FE_TONEAREST);
+}
+
+namespace {
+
+constexpr double tiny = 0x1p-1074;
+
+/// f() in an environment, and what it gives as bounds in the default one again.
+template <class F> auto within(unsigned mxcsr, F f) {
+  const unsigned found = hardware::mxcsr();
+  hardware::set_mxcsr(mxcsr);
+  auto r = f();
+  hardware::set_mxcsr(found);
+  return r;
+}
+template <class I> bool is(const I& x, double lo, double hi) {
+  return x.lower() == lo && x.upper() == hi;
+}
+/// FTZ and DAZ, as a library linked with -Ofast leaves them.
+constexpr unsigned flushing = 0x9fc0;
+constexpr unsigned environments[] = {0x9f80, 0x1fc0, flushing, 0x3f80, 0x5f80, 0x7f80};
+
+} // namespace
+
+TEST_CASE("interval.environment: products and quotients of interval<> where numbers are flushed",
+          "[regression]") {
+  using I = graze::interval<>;
+  const I least(tiny), one(1);
+  CHECK(is(within(flushing, [=] { return least * one; }), tiny, tiny));
+  CHECK(is(within(flushing, [=] { return least / one; }), tiny, tiny));
+  CHECK(is(within(flushing, [=] { return one / least; }), 0x1.fffffffffffffp+1023,
+           std::numeric_limits<double>::infinity()));
+  CHECK(is(within(flushing, [=] { return sqrt(least); }), 0x1p-537, 0x1p-537));
+  CHECK(is(within(flushing, [=] { return square(least); }), 0, tiny));
+  CHECK(empty(within(flushing, [=] { return sqrt(-least); })));
+}
+
+TEST_CASE("interval.environment: sums of interval<> ask for the default environment",
+          "[regression]") {
+  // [1.5 2^-1022] - [2^-1022] would be [0, 0]
+  CHECK(within(flushing, [] { return rounding::refusal_for_nearest().has_value(); }));
+  using I = graze::interval<graze::rounding::upward>;
+  const I x(0x1.8p-1022), y(0x1p-1022);
+  CHECK(is(within(flushing, [=] { return x - y; }), 0x1p-1023, 0x1p-1023));
+}
+
+TEMPLATE_TEST_CASE("interval.environment: functions are the same in any environment",
+                   "[regression]", graze::rounding::nearest, graze::rounding::upward,
+                   graze::rounding::split, graze::rounding::switching) {
+  using I = graze::interval<TestType>;
+  const I least(tiny);
+  const I right_log = log(least), right_recip = recip(least);
+  CHECK(right_log.lower() == -0x1.74385446d71c4p+9);
+  for (const unsigned mxcsr : environments) {
+    CAPTURE(mxcsr);
+    const I l = within(mxcsr, [=] { return log(least); });
+    CHECK(is(l, right_log.lower(), right_log.upper()));
+    const I r = within(mxcsr, [=] { return recip(least); });
+    CHECK(is(r, right_recip.lower(), right_recip.upper()));
+    const I f = within(mxcsr, [] { return fma(I(0x1p-532), I(1.5), I(1.5)); });
+    CHECK(is(f, 1.5, 0x1.8000000000001p+0));
+    CHECK(is(within(mxcsr, [=] { return pown(least, 1); }), tiny, tiny));
+    CHECK(is(within(mxcsr, [=] { return log2(least); }), -1074, -1074));
+  }
+}
+
+TEMPLATE_TEST_CASE("interval.environment: signs of bounds are seen where numbers are flushed",
+                   "[regression]", graze::rounding::upward, graze::rounding::split,
+                   graze::rounding::switching) {
+  using I = graze::interval<TestType>;
+  const I least(tiny), x(1.5);
+  CHECK(is(within(flushing, [=] { return least / x; }), 0, tiny));
+  CHECK(is(within(flushing, [=] { return x / least; }), 0x1.fffffffffffffp+1023,
+           std::numeric_limits<double>::infinity()));
+  CHECK(is(within(flushing, [=] { return least * x; }), tiny, 0x1p-1073));
+  CHECK(is(within(flushing, [=] { return least * I(1); }), tiny, tiny));
+}
+
+TEST_CASE("interval.environment: text where numbers are flushed", "[regression]") {
+  const graze::bounds least{tiny, tiny};
+  const std::string right = graze::interval_to_text(least);
+  CHECK(right != "[0]");
+  for (const unsigned mxcsr : environments)
+    CHECK(within(mxcsr, [&] { return graze::interval_to_text(least); }) == right);
+}
+
+TEST_CASE("interval.environment: a mode that is stored and not obeyed is refused", "[regression]") {
+  // as under valgrind, where every operation rounds to nearest
+  using rounding::detail::witness;
+  const witness w = witness::now();
+  CHECK(w.rounds_to_nearest());
+  CHECK_FALSE(w.rounds_down());
+  CHECK_FALSE(w.rounds_up());
+  CHECK(rounding::detail::witness_within(hardware::mode::down).rounds_down());
+  CHECK(rounding::detail::witness_within(hardware::mode::up).rounds_up());
+  const witness flushed = within(flushing, [] { return witness::now(); });
+  CHECK_FALSE(flushed.knows_subnormal_results());
+  CHECK_FALSE(flushed.knows_subnormal_operands());
+}
+
+TEST_CASE("interval.environment: a program sets its own", "[unit]") {
+  const bool good = within(0xdfc0, [] {
+    const bool may = rounding::program_may_start("test");
+    return may && hardware::mxcsr() == 0x1f80 && hardware::x87_control() == 0x037f;
+  });
+  CHECK(good);
 }

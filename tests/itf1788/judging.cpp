@@ -109,7 +109,7 @@ TEST_CASE("itf1788.judge: what is unsupported, and operands too many", "[unit]")
       judgement_of("frobnicate [1.0, 2.0]_com 7 1.5 {} \"x\" com meets true 1.0f = 1");
   CHECK(missing.is == verdict::unsupported);
   CHECK(missing.missing == "frobnicate(decorated interval, integer, number, array, string, "
-                           "decoration, overlap state, boolean, number that is not binary64)");
+                           "decoration, overlap state, boolean, literal that is not known)");
   for (const char* text :
        {"sub [1.0, 2.0] = [1.0, 2.0]", "sub [1.0, 2.0] [1.0, 2.0]_com = [1.0, 2.0]",
         "sub [1.0, 2.0] 2.0 = [1.0, 2.0]", "setDec [1.0, 2.0] = [nai]", "sum_nearest 1.0 = 1.0",

@@ -117,6 +117,15 @@ TEST_CASE("graze-itf1788: unsupported statements alone are exit code 1 too", "[u
   CHECK(last_line(o.out) == "total: 0 passed, 0 failed, 1 unsupported");
 }
 
+TEST_CASE("graze-itf1788: an unknown token leaves the other statements", "[regression]") {
+  const scratch dir;
+  std::ofstream(dir / "a.itl") << "testcase t {\n add [inf, 1.0] [1.0, 2.0] = [1.0, 2.0];\n"
+                                  " add [1.0, 1.0] [1.0, 2.0] = [2.0, 3.0];\n}";
+  const outcome o = call(dir / "a.itl");
+  CHECK(o.code == 1);
+  CHECK(last_line(o.out) == "total: 1 passed, 0 failed, 1 unsupported");
+}
+
 TEST_CASE("graze-itf1788: bad input is one line and exit code 2", "[unit]") {
   const scratch dir;
   refused("", "path");

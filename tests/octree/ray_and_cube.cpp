@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <graze/octree/cube.hpp>
+#include <graze/octree/exact_touch.hpp>
 #include <graze/octree/ray.hpp>
 #include <limits>
 
@@ -18,6 +19,21 @@ TEST_CASE("octree.ray: refuses what is not a ray, with the reason", "[unit]") {
   CHECK(ray::make({0, 0, 0}, {0, -0.0, 0}).reason() == "ray direction is zero");
   CHECK(ray::make({1e308, -5e-324, 0}, {5e-324, 0, 0}).has_value());
 }
+
+#if defined(__x86_64__)
+TEST_CASE("octree.ray: a subnormal direction is none but zero where numbers are flushed",
+          "[regression]") {
+  namespace hardware = graze::rounding::hardware;
+  const unsigned found = hardware::mxcsr();
+  hardware::set_mxcsr(0x9fc0); // FTZ and DAZ
+  const auto r = ray::make({.25, .25, 0}, {0x1p-1074, 0x1p-1074, 0x1p-1074});
+  const bool met = r && touches(*r, {{0, 0, 0}, 1}), owned = r && owns(*r, {{.25, .25, 0}, .25});
+  hardware::set_mxcsr(found);
+  CHECK(r);
+  CHECK(met);
+  CHECK(owned);
+}
+#endif
 
 TEST_CASE("octree.root_cube: exact to level 53 on powers of two, refused at 54", "[unit]") {
   for (const cube& box : {cube{{0, 0, 0}, 1}, cube{{0, 0, 0}, 0x1p60}, cube{{-4, -4, -4}, 8},

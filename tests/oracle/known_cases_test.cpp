@@ -1,5 +1,7 @@
 /// The cases of the numerics notes whose verdict is a fact of geometry, whatever computes it.
 #include <catch2/catch.hpp>
+#include <graze/oracle/hard_arguments.hpp>
+#include <graze/oracle/hard_boxes.hpp>
 #include <graze/oracle/rational.hpp>
 #include <xmmintrin.h>
 
@@ -86,4 +88,39 @@ TEST_CASE("oracle.known: a ray in a mid-plane touches four children and is owned
                                                                            {{1, 2, 2}, false},
                                                                            {{1, 3, 2}, true},
                                                                            {{1, 4, 2}, false}});
+}
+
+TEST_CASE("oracle.operands: beyond the last double is infinity, not a NaN", "[regression]") {
+  constexpr double largest = std::numeric_limits<double>::max();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  CHECK(hard_operands::step(largest, 1) == infinity);
+  CHECK(hard_operands::step(-largest, 99) == -infinity);
+  CHECK(hard_operands::step(infinity, 3) == infinity);
+  CHECK(hard_operands::step(infinity, -1) == largest);
+}
+
+TEST_CASE("oracle.operands: every interval is one", "[regression]") {
+  // log([nan, 0x1.fffffffffffffp+1023]) was asked once in 16.5 million trials: the ends of a range
+  // that is near the last double find it at once
+  unsigned long wrong = 0;
+  const auto look = [&wrong](const graze::bounds& x) {
+    const bool empty = x.lo != x.lo && x.hi != x.hi;
+    wrong += !empty && graze::checking::is_empty(x.lo, x.hi) ? 1 : 0;
+  };
+  constexpr double largest = std::numeric_limits<double>::max();
+  for (const active_range active : {active_range{0, 10}, active_range{-largest, largest}}) {
+    hard_arguments make(12);
+    for (int i = 0; i < 300000; ++i)
+      look(make.interval(active));
+  }
+  hard_intervals made(13);
+  for (int i = 0; i < 300000; ++i) {
+    graze::bounds x, y, z;
+    made.next(x, y, z);
+    look(x), look(y), look(z);
+  }
+  hard_boxes boxes(14);
+  for (int i = 0; i < 300000; ++i)
+    look(boxes.next());
+  CHECK(wrong == 0);
 }

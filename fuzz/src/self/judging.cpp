@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
@@ -73,6 +74,15 @@ void compare_operation(int n, double x, double y, double got, observations& out)
                          spelled(x), spelled(y), spelled(got), spelled(right))});
 }
 
+namespace {
+/// Each operand is {NaN, NaN} or a set.
+bool well_formed(const interval_operands& o) {
+  return std::all_of(o.of.begin(), o.of.begin() + o.count, [](const bounds& x) {
+    return (x.lo != x.lo && x.hi != x.hi) || !checking::is_empty(x.lo, x.hi);
+  });
+}
+} // namespace
+
 subject subject_of(std::string name, std::string summary, std::vector<interval_operation> list) {
   subject s{std::move(name), std::move(summary), {}};
   for (interval_operation& each : list) {
@@ -82,6 +92,11 @@ subject subject_of(std::string name, std::string summary, std::vector<interval_o
          [operation = std::move(each)](std::uint64_t seed, std::uint64_t index, observations& out) {
            const interval_operands o = operation.generate(seed, index);
            const std::size_t before = out.size();
+           if (!well_formed(o)) { // of nothing that is under test
+             out.push_back(
+                 {flaw::meaning, question(operation, o) + " is asked of bounds that are none"});
+             return;
+           }
            operation.judge(o, operation.value(o), out);
            if (operation.local) {
              const decoration right = operation.right_local(o), got = operation.local(o);

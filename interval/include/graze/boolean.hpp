@@ -1,6 +1,7 @@
 #pragma once
 /// Comparisons and tests of IEEE 1788.1 (10.5.9, 10.5.10, 10.6.3), for bounds, intervals and
-/// decorated intervals. All are exact. A decorated one with a NaI is false (is_nai apart).
+/// decorated intervals. All are exact, in any environment. A decorated one with a NaI is false
+/// (is_nai apart).
 #include <graze/needs_cxx20.hpp>
 
 #include <graze/bounds.hpp>
@@ -9,9 +10,11 @@
 namespace graze {
 
 namespace detail {
+using rounding::exact::less;
+using rounding::exact::less_equal;
 /// x < y, or both the same infinity: the order of which `interior` and `strict_less` are made.
 constexpr bool below(double x, double y) {
-  return x < y || (x == y && (x == checking::infinity || x == -checking::infinity));
+  return less(x, y) || (x == y && (x == checking::infinity || x == -checking::infinity));
 }
 } // namespace detail
 
@@ -20,27 +23,32 @@ constexpr bool is_entire(const bounds& x) {
   return x.lo == -checking::infinity && x.hi == checking::infinity;
 }
 /// Exactly one member.
-constexpr bool is_singleton(const bounds& x) { return x.lo == x.hi; }
+constexpr bool is_singleton(const bounds& x) { return rounding::exact::equal(x.lo, x.hi); }
 /// Bounded and not empty.
 constexpr bool is_common_interval(const bounds& x) { return x.is_common(); }
 /// Is the real number m in x? Infinities and NaN are none.
 constexpr bool is_member(double m, const bounds& x) {
-  return x.contains(m) && -checking::infinity < m && m < checking::infinity;
+  return detail::less_equal(x.lo, m) && detail::less_equal(m, x.hi) && -checking::infinity < m &&
+         m < checking::infinity;
 }
 
 /// x = y as sets.
 constexpr bool equal(const bounds& x, const bounds& y) {
-  return x.is_empty() ? y.is_empty() : x.lo == y.lo && x.hi == y.hi;
+  return x.is_empty() ? y.is_empty()
+                      : rounding::exact::equal(x.lo, y.lo) && rounding::exact::equal(x.hi, y.hi);
 }
 /// Every member of x is one of y.
-constexpr bool subset(const bounds& x, const bounds& y) { return x.within(y); }
+constexpr bool subset(const bounds& x, const bounds& y) {
+  return x.is_empty() || (detail::less_equal(y.lo, x.lo) && detail::less_equal(x.hi, y.hi));
+}
 /// x lies in the topological interior of y.
 constexpr bool interior(const bounds& x, const bounds& y) {
   return x.is_empty() || (detail::below(y.lo, x.lo) && detail::below(x.hi, y.hi));
 }
 /// Each member of x is <= some member of y, and each of y is >= some of x.
 constexpr bool less(const bounds& x, const bounds& y) {
-  return x.is_empty() ? y.is_empty() : x.lo <= y.lo && x.hi <= y.hi;
+  return x.is_empty() ? y.is_empty()
+                      : detail::less_equal(x.lo, y.lo) && detail::less_equal(x.hi, y.hi);
 }
 /// less, with < in place of <=.
 constexpr bool strict_less(const bounds& x, const bounds& y) {
@@ -48,15 +56,15 @@ constexpr bool strict_less(const bounds& x, const bounds& y) {
 }
 /// No member of x is greater than one of y.
 constexpr bool precedes(const bounds& x, const bounds& y) {
-  return x.is_empty() || y.is_empty() || x.hi <= y.lo;
+  return x.is_empty() || y.is_empty() || detail::less_equal(x.hi, y.lo);
 }
 /// Every member of x is less than every one of y.
 constexpr bool strict_precedes(const bounds& x, const bounds& y) {
-  return x.is_empty() || y.is_empty() || x.hi < y.lo;
+  return x.is_empty() || y.is_empty() || detail::less(x.hi, y.lo);
 }
 /// No common member.
 constexpr bool disjoint(const bounds& x, const bounds& y) {
-  return x.is_empty() || y.is_empty() || x.hi < y.lo || y.hi < x.lo;
+  return x.is_empty() || y.is_empty() || detail::less(x.hi, y.lo) || detail::less(y.hi, x.lo);
 }
 
 constexpr bool is_nai(const decorated_bounds& x) { return x.is_nai(); }

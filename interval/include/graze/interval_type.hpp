@@ -86,9 +86,9 @@ template <Policies P> interval_of<P> operator*(const double& x, const interval_o
   if (empty(y) || empty(I(x)))
     return I::empty();
   typename P::rounding rnd;
-  if (x < 0)
+  if (rounding::exact::below_zero(x))
     return I(rnd.mul_down(x, y.upper()), rnd.mul_up(x, y.lower()), true);
-  if (x == 0)
+  if (rounding::exact::is_zero(x))
     return I(0.0, 0.0, true);
   return I(rnd.mul_down(x, y.lower()), rnd.mul_up(x, y.upper()), true);
 }
@@ -96,7 +96,37 @@ template <Policies P> interval_of<P> operator*(const interval_of<P>& x, const do
   return y * x;
 }
 
+// What serves every backend. Bounds are compared with 0 and with each other as integers: the
+// comparisons are right in any environment, wherever the compiler moves them.
 namespace detail {
+using rounding::exact::above_zero, rounding::exact::below_zero, rounding::exact::is_zero;
+
+constexpr double lesser(double x, double y) { return rounding::exact::less(y, x) ? y : x; }
+constexpr double greater(double x, double y) { return rounding::exact::less(x, y) ? y : x; }
+
+/// Encloses { s t : s in x, t in y }.
+template <Policies P> interval_of<P> multiply(const interval_of<P>& x, const interval_of<P>& y) {
+  using I = interval_of<P>;
+  if (empty(x) || empty(y))
+    return I::empty();
+  const double a = x.lower(), b = x.upper(), c = y.lower(), d = y.upper();
+  const bool x_below = below_zero(a), x_above = above_zero(b);
+  const bool y_below = below_zero(c), y_above = above_zero(d);
+  if (!(x_below || x_above) || !(y_below || y_above))
+    return I(0.0, 0.0, true);
+  typename P::rounding rnd;
+  if (x_below && x_above) {
+    if (y_below && y_above)
+      return I(lesser(rnd.mul_down(a, d), rnd.mul_down(b, c)),
+               greater(rnd.mul_up(a, c), rnd.mul_up(b, d)), true);
+    return y_below ? I(rnd.mul_down(b, c), rnd.mul_up(a, c), true)
+                   : I(rnd.mul_down(a, d), rnd.mul_up(b, d), true);
+  }
+  if (x_below)
+    return I(rnd.mul_down(y_above ? a : b, d), rnd.mul_up(y_below ? a : b, c), true);
+  return I(rnd.mul_down(y_below ? b : a, c), rnd.mul_up(y_above ? b : a, d), true);
+}
+
 /// Encloses { a / b : a in x, b in y, b != 0 }; empty for y = [0, 0]. Where y reaches 0 from one
 /// side and x ends at 0, Boost's own operator gives entire: [-1, 0] / [0, 1] is [-inf, 0].
 template <Policies P> interval_of<P> divide(const interval_of<P>& x, const interval_of<P>& y) {
@@ -104,29 +134,55 @@ template <Policies P> interval_of<P> divide(const interval_of<P>& x, const inter
   if (empty(x) || empty(y))
     return I::empty();
   const double a = x.lower(), b = x.upper(), c = y.lower(), d = y.upper();
-  if (c == 0 && d == 0)
+  if (is_zero(c) && is_zero(d))
     return I::empty();
-  if (a == 0 && b == 0)
+  if (is_zero(a) && is_zero(b))
     return I(0.0, 0.0, true);
-  if (c < 0 && 0 < d)
+  if (below_zero(c) && above_zero(d))
     return I::whole();
   typename P::rounding rnd;
   constexpr double infinity = checking::infinity;
-  if (c >= 0) { // y within [0, inf]
-    if (a >= 0)
-      return I(rnd.div_down(a, d), c == 0 ? infinity : rnd.div_up(b, c), true);
-    if (b <= 0)
-      return I(c == 0 ? -infinity : rnd.div_down(a, c), rnd.div_up(b, d), true);
-    return c == 0 ? I::whole() : I(rnd.div_down(a, c), rnd.div_up(b, c), true);
+  const bool from_zero = is_zero(c), to_zero = is_zero(d);
+  if (!below_zero(c)) { // y within [0, inf]
+    if (!below_zero(a))
+      return I(rnd.div_down(a, d), from_zero ? infinity : rnd.div_up(b, c), true);
+    if (!above_zero(b))
+      return I(from_zero ? -infinity : rnd.div_down(a, c), rnd.div_up(b, d), true);
+    return from_zero ? I::whole() : I(rnd.div_down(a, c), rnd.div_up(b, c), true);
   }
-  if (a >= 0)
-    return I(d == 0 ? -infinity : rnd.div_down(b, d), rnd.div_up(a, c), true);
-  if (b <= 0)
-    return I(rnd.div_down(b, c), d == 0 ? infinity : rnd.div_up(a, d), true);
-  return d == 0 ? I::whole() : I(rnd.div_down(b, d), rnd.div_up(a, d), true);
+  if (!below_zero(a))
+    return I(to_zero ? -infinity : rnd.div_down(b, d), rnd.div_up(a, c), true);
+  if (!above_zero(b))
+    return I(rnd.div_down(b, c), to_zero ? infinity : rnd.div_up(a, d), true);
+  return to_zero ? I::whole() : I(rnd.div_down(b, d), rnd.div_up(a, d), true);
+}
+
+/// Encloses { t^2 : t in x }.
+template <Policies P> interval_of<P> squared(const interval_of<P>& x) {
+  using I = interval_of<P>;
+  if (empty(x))
+    return I::empty();
+  const double a = x.lower(), b = x.upper();
+  const double far = greater(-a, b), near = below_zero(b) ? -b : above_zero(a) ? a : 0;
+  typename P::rounding rnd;
+  return I(rnd.mul_down(near, near), rnd.mul_up(far, far), true);
+}
+
+/// Encloses { sqrt t : t in x, t >= 0 }.
+template <Policies P> interval_of<P> root(const interval_of<P>& x) {
+  using I = interval_of<P>;
+  if (empty(x) || below_zero(x.upper()))
+    return I::empty();
+  typename P::rounding rnd;
+  return I(above_zero(x.lower()) ? rnd.sqrt_down(x.lower()) : 0.0, rnd.sqrt_up(x.upper()), true);
 }
 } // namespace detail
 
+template <Policies P> interval_of<P> operator*(const interval_of<P>& x, const interval_of<P>& y) {
+  return detail::multiply(x, y);
+}
+template <Policies P> interval_of<P> square(const interval_of<P>& x) { return detail::squared(x); }
+template <Policies P> interval_of<P> sqrt(const interval_of<P>& x) { return detail::root(x); }
 template <Policies P> interval_of<P> operator/(const interval_of<P>& x, const interval_of<P>& y) {
   return detail::divide(x, y);
 }

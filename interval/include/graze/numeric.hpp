@@ -1,7 +1,7 @@
 #pragma once
 /// Numbers that describe an interval: inf sup mid rad mid_rad wid mag mig of IEEE 1788.1, for
 /// bounds, intervals and decorated intervals. Of the empty set (inf and sup apart) and of NaI they
-/// are NaN. Inlined anywhere; the mode in force must be to-nearest.
+/// are NaN. Inlined anywhere, in any environment.
 #include <graze/needs_cxx20.hpp>
 
 #include <algorithm>
@@ -16,18 +16,32 @@ template <Real N> struct centre_of {
 };
 using centre = centre_of<double>;
 
+namespace detail {
+/// f of the ends, to nearest and with subnormal numbers.
+template <class Function> double of_ends(const bounds& x, Function f) {
+  const rounding::hardware::mode_scope scope(rounding::hardware::mode::nearest);
+  double lo = x.lo, hi = x.hi;
+  rounding::hardware::pin(lo), rounding::hardware::pin(hi);
+  double value = f(lo, hi);
+  rounding::hardware::pin(value);
+  return value;
+}
+} // namespace detail
+
 /// The greatest lower bound; a zero is -0, of the empty set +inf. Exact.
 constexpr double inf(const bounds& x) {
-  return x.is_empty() ? checking::infinity : x.lo == 0 ? -0.0 : x.lo;
+  return x.is_empty() ? checking::infinity : rounding::exact::is_zero(x.lo) ? -0.0 : x.lo;
 }
 /// The least upper bound; a zero is +0, of the empty set -inf. Exact.
 constexpr double sup(const bounds& x) {
-  return x.is_empty() ? -checking::infinity : x.hi == 0 ? 0.0 : x.hi;
+  return x.is_empty() ? -checking::infinity : rounding::exact::is_zero(x.hi) ? 0.0 : x.hi;
 }
 /// (lo + hi) / 2 rounded to nearest; of [-inf, inf] 0, of half-lines the last finite double. Always
 /// in x, never -0.
 inline double mid(const bounds& x) {
-  return x.is_empty() ? checking::nan() : boost_rounding<rounding::nearest>::median(x.lo, x.hi);
+  return x.is_empty() ? checking::nan() : detail::of_ends(x, [](double lo, double hi) {
+    return boost_rounding<rounding::nearest>::median(lo, hi);
+  });
 }
 namespace detail {
 template <Real N> N radius(N lo, N hi) {
@@ -38,21 +52,23 @@ template <Real N> N radius(N lo, N hi) {
 } // namespace detail
 /// The least double r such that [m - r, m + r] holds x, for m = mid(x).
 inline double rad(const bounds& x) {
-  return x.is_empty() ? checking::nan() : detail::radius(x.lo, x.hi);
+  return x.is_empty() ? checking::nan() : detail::of_ends(x, detail::radius<double>);
 }
 /// mid and rad, which belong together.
 inline centre mid_rad(const bounds& x) { return {mid(x), rad(x)}; }
 /// The least double >= hi - lo.
 inline double wid(const bounds& x) {
-  return x.is_empty() ? checking::nan() : rounding::nearest::sub_up(x.hi, x.lo);
+  return x.is_empty() ? checking::nan() : detail::of_ends(x, [](double lo, double hi) {
+    return rounding::nearest::sub_up(hi, lo);
+  });
 }
 /// max { |t| : t in x }. Exact.
 constexpr double mag(const bounds& x) {
-  return x.is_empty() ? checking::nan() : std::max({0.0, -x.lo, x.hi});
+  return x.is_empty() ? checking::nan() : detail::greater(0.0, detail::greater(-x.lo, x.hi));
 }
 /// min { |t| : t in x }. Exact.
 constexpr double mig(const bounds& x) {
-  return x.is_empty() ? checking::nan() : std::max({0.0, x.lo, -x.hi});
+  return x.is_empty() ? checking::nan() : detail::greater(0.0, detail::greater(x.lo, -x.hi));
 }
 
 // mid and mag of intervals are in graze/interval.hpp. Of float intervals all are floats: mid and
@@ -64,14 +80,22 @@ template <Real N, Policies P> N sup(const interval_of<P, N>& x) {
   return static_cast<N>(sup(to_bounds(x)));
 }
 template <Real N, Policies P> N rad(const interval_of<P, N>& x) {
-  return empty(x) ? static_cast<N>(checking::nan()) : detail::radius(x.lower(), x.upper());
+  const bounds b = to_bounds(x);
+  return static_cast<N>(
+      b.is_empty() ? checking::nan() : detail::of_ends(b, [](double lo, double hi) {
+        return static_cast<double>(detail::radius(static_cast<N>(lo), static_cast<N>(hi)));
+      }));
 }
 template <Real N, Policies P> centre_of<N> mid_rad(const interval_of<P, N>& x) {
   return {mid(x), rad(x)};
 }
 template <Real N, Policies P> N wid(const interval_of<P, N>& x) {
-  return empty(x) ? static_cast<N>(checking::nan())
-                  : boost_rounding<rounding::nearest>::sub_up(x.upper(), x.lower());
+  const bounds b = to_bounds(x);
+  return static_cast<N>(
+      b.is_empty() ? checking::nan() : detail::of_ends(b, [](double lo, double hi) {
+        return static_cast<double>(
+            boost_rounding<rounding::nearest>::sub_up(static_cast<N>(hi), static_cast<N>(lo)));
+      }));
 }
 template <Real N, Policies P> N mig(const interval_of<P, N>& x) {
   return static_cast<N>(mig(to_bounds(x)));

@@ -35,21 +35,24 @@ constexpr overlap_state overlap(const bounds& x, const bounds& y) {
   using enum overlap_state;
   if (x.is_empty() || y.is_empty())
     return !y.is_empty() ? first_empty : !x.is_empty() ? second_empty : both_empty;
-  if (x.hi < y.lo)
+  // as integers, in any environment
+  using rounding::exact::rank;
+  const std::int64_t a = rank(x.lo), b = rank(x.hi), c = rank(y.lo), d = rank(y.hi);
+  if (b < c)
     return before;
-  if (y.hi < x.lo)
+  if (d < a)
     return after;
-  if (x.lo == y.lo)
-    return x.hi < y.hi ? starts : x.hi == y.hi ? equals : started_by;
-  if (x.hi == y.hi)
-    return y.lo < x.lo ? finishes : finished_by;
-  if (x.hi == y.lo)
+  if (a == c)
+    return b < d ? starts : b == d ? equals : started_by;
+  if (b == d)
+    return c < a ? finishes : finished_by;
+  if (b == c)
     return meets;
-  if (y.hi == x.lo)
+  if (d == a)
     return met_by;
-  if (x.lo < y.lo)
-    return x.hi < y.hi ? overlaps : contains;
-  return x.hi < y.hi ? contained_by : overlapped_by;
+  if (a < c)
+    return b < d ? overlaps : contains;
+  return b < d ? contained_by : overlapped_by;
 }
 constexpr overlap_state overlap(const decorated_bounds& x, const decorated_bounds& y) {
   return x.is_nai() || y.is_nai() ? overlap_state::undefined : overlap(x.part, y.part);

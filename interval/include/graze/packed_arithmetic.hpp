@@ -38,16 +38,16 @@ template <PackedPolicies P> [[gnu::cold, gnu::noinline]] pair general_sub(pair x
   return load<P>(boost::numeric::operator-(to_interval<P>(x), to_interval<P>(y)));
 }
 template <PackedPolicies P> [[gnu::cold, gnu::noinline]] pair general_mul(pair x, pair y) {
-  return load<P>(boost::numeric::operator*(to_interval<P>(x), to_interval<P>(y)));
+  return load<P>(multiply(to_interval<P>(x), to_interval<P>(y)));
 }
 template <PackedPolicies P> [[gnu::cold, gnu::noinline]] pair general_div(pair x, pair y) {
   return load<P>(divide(to_interval<P>(x), to_interval<P>(y)));
 }
 template <PackedPolicies P> [[gnu::cold, gnu::noinline]] pair general_sqr(pair x) {
-  return load<P>(boost::numeric::square(to_interval<P>(x)));
+  return load<P>(squared(to_interval<P>(x)));
 }
 template <PackedPolicies P> [[gnu::cold, gnu::noinline]] pair general_sqrt(pair x) {
-  return load<P>(boost::numeric::sqrt(to_interval<P>(x)));
+  return load<P>(root(to_interval<P>(x)));
 }
 
 template <class P> using operations = typename P::rounding::backend::pair_operations;
@@ -121,7 +121,7 @@ template <PackedPolicies P> GRAZE_INLINE interval_of<P> square(pair x) {
   const pair ends = flip_first(x), opposite = negated(swapped(ends));
   const pair factor = max(both(0), max(ends, opposite)); // NaN stays
   const pair r = op::mul(flip_first(factor), factor);
-  if (!all(op::mul_range(factor))) [[unlikely]]
+  if (!all(op::mul_range(x))) [[unlikely]]
     return to_interval<P>(general_sqr<P>(x));
   return to_interval<P>(r);
 }
@@ -130,7 +130,7 @@ template <PackedPolicies P> GRAZE_INLINE interval_of<P> square(pair x) {
 template <PackedPolicies P> GRAZE_INLINE interval_of<P> square_root(pair x) {
   using op = operations<P>;
   const pair clipped = max(pair{0, -checking::infinity}, flip_first(x));
-  if (!all(op::sqrt_range(clipped))) [[unlikely]]
+  if (!all(op::sqrt_range(flip_first(x)))) [[unlikely]]
     return to_interval<P>(general_sqrt<P>(x));
   const pair root = flip_first(op::sqrt_outward(clipped));
   const bits none = (bits)_mm_cmpunord_pd(root, root);

@@ -32,6 +32,16 @@ namespace graze::correctly_rounded {
 namespace hardware = rounding::hardware;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Another mode until a scope that lives ends.
+template <hardware::mode Mode> void set_mode() {
+#if defined(__x86_64__)
+  static constexpr unsigned control = static_cast<unsigned>(Mode);
+  asm volatile("ldmxcsr %0" : : "m"(control) : "memory");
+#else
+  std::fesetround(static_cast<int>(Mode));
+#endif
+}
+
 /// For the life of a scope the mode that a function's points need; every exception masked, no
 /// flushing of subnormals, and at the end the control and status found.
 #if defined(__x86_64__)
@@ -54,7 +64,6 @@ template <hardware::mode Mode> struct scope_of : hardware::mode_scope {
 };
 #endif
 using upward_scope = scope_of<hardware::mode::up>;
-using downward_scope = scope_of<hardware::mode::down>;
 using nearest_scope = scope_of<hardware::mode::nearest>;
 
 // CORE-MATH in the mode in force, compiled with fused operations where the processor has them. Read
@@ -102,6 +111,7 @@ template <double (*Function)(double), bool (*Exact)(double x, double r)> struct 
     greatest = r < s ? s : r;
     const double p = exact(x, r) ? r : below(r), q = exact(y, s) ? s : below(s);
     least = p < q ? p : q;
+    hardware::pin(least), hardware::pin(greatest); // compared within the scope
   }
 
 private:
@@ -145,17 +155,20 @@ inline bool zero_or_not_finite(double x) {
   constexpr std::uint64_t twice_infinity = std::uint64_t{0x7ff} << 53;
   return (std::bit_cast<std::uint64_t>(x) << 1) - 1 >= twice_infinity - 1;
 }
-inline bool exact_at_zero(double x, double) { return x == 0; }
+/// By the bits, as all comparisons with 0 here: a compiler may move it out of the scope, to where
+/// subnormal numbers count as zero.
+inline bool is_zero(double x) { return std::bit_cast<std::uint64_t>(x) << 1 == 0; }
+inline bool exact_at_zero(double x, double) { return is_zero(x); }
 inline bool exact_at_one(double x, double) { return x == 1; }
 inline bool exact_at_zero_and_infinity(double x, double) { return zero_or_not_finite(x); }
 /// Poles at the ends of the domain, log(0) = -inf and atanh(1) = inf, are limits too; r is infinite
 /// for no other argument of theirs. Where x = 0 or 1, r = 0; elsewhere r = 0 for x just below 1
 /// only.
 inline bool exact_at_zero_or_infinite(double x, double r) {
-  return zero_or_not_finite(r) && (x == 0 || r != 0);
+  return zero_or_not_finite(r) && (is_zero(x) || !is_zero(r));
 }
 inline bool exact_at_one_or_infinite(double x, double r) {
-  return zero_or_not_finite(r) && (x == 1 || r != 0);
+  return zero_or_not_finite(r) && (x == 1 || !is_zero(r));
 }
 /// 2^x is rational for an integer x only (Gelfond and Schneider).
 inline bool exact_exp2(double x, double) {
@@ -188,7 +201,9 @@ inline bool exact_cbrt(double x, double r) {
   constexpr std::uint64_t beyond_18_bits = (std::uint64_t{1} << 35) - 1;
   if ((std::bit_cast<std::uint64_t>(r) & beyond_18_bits) != 0)
     return false;
-  return r == 0 || std::fabs(r) == infinity || hardware::mul(hardware::mul(r, r), r) == x;
+  return zero_or_not_finite(r) ||
+         std::bit_cast<std::uint64_t>(hardware::mul(hardware::mul(r, r), r)) ==
+             std::bit_cast<std::uint64_t>(x);
 }
 
 using exp2 = from_above<core_math::exp2, exact_exp2>;
@@ -243,22 +258,22 @@ struct atan2 {
   static double up(double y, double x) { return core_math::atan2(y, x); }
   static double down(double y, double x) {
     const double r = core_math::atan2(y, x);
-    const bool exact = (y == 0 && !std::signbit(x)) || (x == infinity && std::fabs(y) < infinity);
+    const bool exact =
+        (is_zero(y) && !std::signbit(x)) || (x == infinity && std::fabs(y) < infinity);
     return exact || r != r ? r : below(r);
   }
 };
 
-/// x^y, called in both modes: its exact cases are as hard to tell as its value.
+/// x^y, called in both modes, which are set within one scope: its exact cases are as hard to tell
+/// as its value.
 struct pow {
-  struct scope {
-    scope() {}
-  };
+  using scope = upward_scope;
   static double up(double x, double y) {
-    const upward_scope scope;
+    set_mode<hardware::mode::up>();
     return core_math::pow(x, y);
   }
   static double down(double x, double y) {
-    const downward_scope scope;
+    set_mode<hardware::mode::down>();
     return core_math::pow(x, y);
   }
 };

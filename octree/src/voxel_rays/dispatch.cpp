@@ -1,6 +1,7 @@
 // Which path's kernels run, and what they do not do themselves: set up a walk, decide exactly.
 #include <graze/batch/per_path.hpp>
 #include <graze/octree/voxel_rays.hpp>
+#include <graze/rounding/hardware.hpp>
 
 namespace graze::octree::detail {
 
@@ -10,6 +11,8 @@ const voxel_rays_table& voxel_rays_kernels() {
 
 void prepare(voxel_rays_state& s, const voxel_set& set, convention what, exactness how,
              const ray_segment& segment, bool soonest) {
+  // sizes may be subnormal
+  const rounding::hardware::mode_scope scope(rounding::hardware::mode::nearest);
   s.masks = set.masks();
   s.firsts = set.firsts();
   const cube& root = set.root().box();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <graze/itf1788/report.hpp>
+#include <graze/rounding/environment.hpp>
 
 namespace {
 
@@ -35,6 +36,8 @@ int bad_input(const std::string& why) {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (!graze::rounding::program_may_start("graze-itf1788"))
+    return 2;
   CLI::App app("Runs the statements of .itl files (the ITF1788 framework's) on graze::interval");
   app.name("graze-itf1788");
   app.footer(examples);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <graze/itf1788/syntax.hpp>
+#include <graze/text.hpp>
 #include <limits>
 #include <optional>
 
@@ -84,13 +85,14 @@ private:
   void advance() {
     last_ = here_.written;
     here_ = lexer_.next();
-    if (here_.kind == token_kind::error)
-      throw refusal{here_.line, here_.written.empty()
-                                    ? std::string(here_.why)
-                                    : fmt::format("{} ('{}')", here_.why, here_.written)};
+    // a character without a meaning is a literal that is not known: of its statement alone
+    if (here_.kind == token_kind::error && here_.written.empty())
+      throw refusal{here_.line, here_.why};
   }
 
   [[noreturn]] void refuse(const std::string& expected) const {
+    if (here_.kind == token_kind::error)
+      throw refusal{here_.line, fmt::format("{} ('{}')", here_.why, here_.written)};
     throw refusal{here_.line,
                   fmt::format("expected {}, found {}", expected,
                               here_.kind == token_kind::end ? "the end of the file"
@@ -135,7 +137,7 @@ private:
     s.line = here_.line;
     const char* const begin = here_.written.data();
     s.operation = require_word("an operation");
-    s.operands = literals();
+    s.operands = literals(true);
     if (accept("="))
       s.tightest = at_least_one();
     if (accept("<=")) {
@@ -181,21 +183,29 @@ private:
   }
 
   std::vector<value> at_least_one() {
-    std::vector<value> all = literals();
+    std::vector<value> all = literals(false);
     if (all.empty())
       refuse("a result");
     return all;
   }
 
-  std::vector<value> literals() {
+  /// here_ is the first token of its line.
+  [[nodiscard]] bool at_line_begin() const {
+    return std::string_view(last_.data(),
+                            static_cast<std::size_t>(here_.written.data() - last_.data()))
+               .find('\n') != std::string_view::npos;
+  }
+
+  std::vector<value> literals(bool operands) {
     std::vector<value> all;
     while (!is("=") && !is("<=") && !is(";") &&
            !(here_.kind == token_kind::word && here_.written == "signal"))
-      all.push_back(literal());
+      all.push_back(literal(operands));
     return all;
   }
 
-  value literal() {
+  /// `operand`: not a result, which the next statement may follow where a ";" is missing.
+  value literal(bool operand = true) {
     if (accept("["))
       return interval();
     if (accept("{"))
@@ -204,7 +214,7 @@ private:
       return number_or_integer();
     if (here_.kind == token_kind::text)
       return text();
-    if (here_.kind != token_kind::word)
+    if (here_.kind != token_kind::word && here_.kind != token_kind::error)
       refuse("a literal");
     const std::string_view word = here_.written;
     value v;
@@ -216,8 +226,10 @@ private:
       v = overlap_name{std::string(word)};
     else if (const auto x = special_number(word))
       v = *x;
+    else if (operand || !at_line_begin())
+      v = other_format{std::string(word)}; // unknown: the statement is not supported
     else
-      refuse("a literal");
+      refuse("a literal"); // the next statement: this one has no end
     advance();
     return v;
   }
@@ -234,39 +246,54 @@ private:
     return content;
   }
 
-  /// The rounding is to nearest and of this process' C locale: a decimal means the nearest double.
+  /// A number that is no double, whatever it is rounded to: a hexadecimal one is meant exactly, and
+  /// so is a decimal one of more than the 17 digits that tell any two doubles apart. With fewer it
+  /// means the nearest double.
+  static bool is_no_double(const std::string& written, bool hexadecimal) {
+    std::size_t digits = 0;
+    for (const char c : written) {
+      if (c == 'e' || c == 'E')
+        break;
+      digits += '0' <= c && c <= '9' ? 1 : 0;
+    }
+    if (!hexadecimal && digits <= 17)
+      return false;
+    const auto exact = text_to_interval("[" + written + "]");
+    return exact.signal != exception::none || exact.value.lo != exact.value.hi;
+  }
+
+  /// The rounding is to nearest and of this process' C locale.
   value number_or_integer() {
     const std::string written(here_.written);
     const bool hexadecimal = written.find_first_of("xX") != std::string::npos;
     const bool is_float = written.find_first_of(hexadecimal ? ".pP" : ".eE") != std::string::npos ||
                           (!hexadecimal && written.find_first_of("fF") != std::string::npos);
-    value v;
+    char* end = nullptr;
+    errno = 0;
+    value v = other_format{written}; // of another format, or nothing known
     if (!is_float) {
-      char* end = nullptr;
-      errno = 0;
-      v = std::int64_t{std::strtoll(written.c_str(), &end, hexadecimal ? 16 : 10)};
-      if (errno == ERANGE || std::string_view(end).find_first_not_of("uUlL") != std::string::npos)
-        refuse("an integer of 64 bits");
+      const std::int64_t n{std::strtoll(written.c_str(), &end, hexadecimal ? 16 : 10)};
+      if (errno != ERANGE && std::string_view(end).find_first_not_of("uUlL") == std::string::npos)
+        v = n;
     } else {
-      char* end = nullptr;
-      v = std::strtod(written.c_str(), &end);
-      const std::string_view rest(end);
+      const double x = std::strtod(written.c_str(), &end);
       const bool exponent = written.find_first_of("pP") != std::string::npos;
-      if ((hexadecimal && !exponent) || rest.size() > 1 ||
-          rest.find_first_not_of("fFlL") != std::string_view::npos)
-        refuse("a number");
-      if (!rest.empty())
-        v = other_format{written};
+      if (*end == '\0' && (!hexadecimal || exponent) && !is_no_double(written, hexadecimal))
+        v = x;
     }
     advance();
     return v;
   }
 
-  /// A number of an interval or an array; an integer stands for the nearest double.
+  /// A number of an interval or an array; an integer stands for the double that it is.
   value number() {
+    const std::string written(here_.written);
     value v = literal();
-    if (const auto* n = std::get_if<std::int64_t>(&v))
-      return static_cast<double>(*n);
+    if (const auto* n = std::get_if<std::int64_t>(&v)) {
+      constexpr std::int64_t most = std::int64_t{1} << 53;
+      return -most <= *n && *n <= most ? value(static_cast<double>(*n))
+                                       : value(other_format{written});
+    }
     if (!std::holds_alternative<double>(v) && !std::holds_alternative<other_format>(v))
       throw refusal{here_.line, fmt::format("expected a number, found {}", to_text(v))};
     return v;

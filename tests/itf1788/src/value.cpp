@@ -62,7 +62,7 @@ std::string to_text(const value& v) {
 std::string kind_of(const value& v) {
   static constexpr std::array names{
       "interval", "decorated interval", "number",        "integer", "boolean",
-      "string",   "decoration",         "overlap state", "array",   "number that is not binary64"};
+      "string",   "decoration",         "overlap state", "array",   "literal that is not known"};
   static_assert(names.size() == std::variant_size_v<value>);
   return names.at(v.index());
 }

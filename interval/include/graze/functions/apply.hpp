@@ -20,6 +20,7 @@
 #include <graze/bounds.hpp>
 #include <graze/decorated_bounds.hpp>
 #include <graze/decoration.hpp>
+#include <graze/rounding/hardware.hpp>
 
 namespace graze {
 
@@ -66,6 +67,8 @@ interval_of<P, N> apply(const interval_of<P, N>& x, const Operands&... more) {
 /// restriction).
 template <class F, class... Operands>
 decoration local_decoration(const bounds& value, const Operands&... x) {
+  // F::local and continuous_around compare bounds with 0
+  const rounding::hardware::mode_scope scope(rounding::hardware::mode::nearest);
   decoration d = F::local(x...);
   if (d != decoration::dac || !value.is_common() || !(detail::is_common(x) && ...))
     return d;

@@ -1,6 +1,7 @@
 #pragma once
 /// Directed rounding in integers: every finite input, no floating-point instruction, constexpr. It
-/// serves `nearest` where the error of a rounded result is not itself a double.
+/// serves `nearest` where the error of a rounded result is not itself a double, and gives the same
+/// in every environment: any rounding mode, subnormal numbers flushed or not.
 #include <cstdint>
 #include <graze/rounding/standard.hpp>
 #include <limits>
@@ -20,12 +21,35 @@ struct magnitude {
 inline constexpr std::uint64_t sign_bit = 0x8000000000000000;
 inline constexpr std::uint64_t hidden_bit = 0x0010000000000000; // 2^52
 
+constexpr std::uint64_t bits_of(double x) { return bit_cast<std::uint64_t>(x); }
 constexpr bool negative(double x) { return (bit_cast<std::uint64_t>(x) & sign_bit) != 0; }
 constexpr bool finite(double x) {
   return (bit_cast<std::uint64_t>(x) & 0x7ff0000000000000) != 0x7ff0000000000000;
 }
+/// Of either sign. (x == 0 holds for subnormal numbers too, where operands are flushed: DAZ.)
+constexpr bool is_zero(double x) { return (bit_cast<std::uint64_t>(x) & ~sign_bit) == 0; }
+/// x < 0 and x > 0, for x not NaN, likewise.
+constexpr bool below_zero(double x) { return bit_cast<std::uint64_t>(x) > sign_bit; }
+constexpr bool above_zero(double x) { return bit_cast<std::int64_t>(x) > 0; }
+/// The order of doubles as integers; -0 and +0 are one. Not for NaN.
+constexpr std::int64_t rank(double x) {
+  const auto bits = bit_cast<std::int64_t>(x);
+  return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+}
+/// x < y, x <= y and x == y in any environment; false for a NaN, as the operators are.
+constexpr bool less(double x, double y) { return x == x && y == y && rank(x) < rank(y); }
+constexpr bool less_equal(double x, double y) { return x == x && y == y && rank(x) <= rank(y); }
+constexpr bool equal(double x, double y) { return x == x && y == y && rank(x) == rank(y); }
 constexpr double zero(bool is_negative) {
   return bit_cast<double>(is_negative ? sign_bit : std::uint64_t{0});
+}
+
+/// For products and quotients in which a zero, an infinity or a NaN decides: 1 or -1 for any other
+/// number, which flushing might take for a zero.
+constexpr double sign_if_number(double x) {
+  if (!finite(x) || is_zero(x))
+    return x;
+  return negative(x) ? -1.0 : 1.0;
 }
 
 constexpr magnitude take_apart(double x) {
@@ -76,13 +100,13 @@ constexpr double round(bool is_negative, uint128 n, int exponent, bool more, dir
 constexpr double add(double x, double y, direction d) {
   if (!finite(x) || !finite(y))
     return x + y;
-  if (x == 0 && y == 0)
+  if (is_zero(x) && is_zero(y))
     return negative(x) == negative(y) ? x : zero(d == direction::down);
-  if (x == 0)
+  if (is_zero(x))
     return y;
-  if (y == 0)
+  if (is_zero(y))
     return x;
-  if (x == -y)
+  if (bit_cast<std::uint64_t>(x) == (bit_cast<std::uint64_t>(y) ^ sign_bit))
     return zero(d == direction::down);
   magnitude large = take_apart(x), small = take_apart(y);
   bool is_negative = negative(x);
@@ -106,8 +130,8 @@ constexpr double add(double x, double y, direction d) {
 
 /// x * y rounded towards d.
 constexpr double mul(double x, double y, direction d) {
-  if (!finite(x) || !finite(y) || x == 0 || y == 0)
-    return x * y;
+  if (!finite(x) || !finite(y) || is_zero(x) || is_zero(y))
+    return sign_if_number(x) * sign_if_number(y);
   const magnitude a = take_apart(x), b = take_apart(y);
   return round(negative(x) != negative(y), uint128{a.significand} * b.significand,
                a.exponent + b.exponent, false, d);
@@ -115,8 +139,8 @@ constexpr double mul(double x, double y, direction d) {
 
 /// x / y rounded towards d.
 constexpr double div(double x, double y, direction d) {
-  if (!finite(x) || !finite(y) || x == 0 || y == 0)
-    return x / y;
+  if (!finite(x) || !finite(y) || is_zero(x) || is_zero(y))
+    return sign_if_number(x) / sign_if_number(y);
   const magnitude a = take_apart(x), b = take_apart(y);
   const uint128 dividend = uint128{a.significand} << 64; // the quotient has at least 64 bits
   const uint128 quotient = dividend / b.significand;

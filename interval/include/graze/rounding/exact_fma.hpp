@@ -9,16 +9,16 @@ namespace graze::rounding::exact {
 /// Error: 0 ulp.
 constexpr double multiply_add(double x, double y, double z, direction d) {
   if (!finite(x) || !finite(y))
-    return x * y + z; // nothing is rounded
+    return sign_if_number(x) * sign_if_number(y) + z; // nothing is rounded
   if (!finite(z))
     return z;
   const bool product_negative = negative(x) != negative(y);
-  if (x == 0 || y == 0) {
-    if (z != 0 || negative(z) == product_negative)
+  if (is_zero(x) || is_zero(y)) {
+    if (!is_zero(z) || negative(z) == product_negative)
       return z;
     return zero(d == direction::down);
   }
-  if (z == 0)
+  if (is_zero(z))
     return mul(x, y, d);
   // Both terms with 126 bits: at least the last 20 of either are zero, so that a gap of up to 20
   // loses no bit, and after a greater one the difference keeps at least 124 bits.

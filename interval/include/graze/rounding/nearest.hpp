@@ -13,8 +13,9 @@ namespace graze::rounding {
 
 /// Correct on every input under every flag that backend.hpp and hardware.hpp let through: operands
 /// and results are pinned, so that no multiplication of the caller's is contracted into the sums
-/// here, or the other way round. The mode in force must be to-nearest and FTZ/DAZ off:
-/// graze::rounding::refusal_for_nearest (environment.hpp) checks it.
+/// here, or the other way round. The mode in force must be to-nearest:
+/// graze::rounding::refusal_for_nearest (environment.hpp) checks it. Where subnormal numbers may
+/// occur, all is done in integers, so that flushing them (FTZ, DAZ) changes nothing.
 struct nearest {
   using number = double;
   static constexpr const char* name = "nearest";
@@ -33,6 +34,9 @@ struct nearest {
     if (__builtin_is_constant_evaluated())
       return exact::add(x, y, exact::direction::up);
     hardware::pin(x), hardware::pin(y);
+    // else sums and their errors are multiples of 2^-1020
+    if (tiny(x) || tiny(y)) [[unlikely]]
+      return add_up_slow(x, y);
     double sum = x + y;
     // Knuth's TwoSum: sum + error = x + y exactly, as long as nothing overflows. If something does,
     // the sum or one of the steps, an infinity or NaN reaches `error`.
@@ -52,12 +56,12 @@ struct nearest {
     hardware::pin(x), hardware::pin(y);
     double product = x * y;
 #if defined(__FMA__)
-    // One rounding: the error's sign is right unless it is rounded to 0, which can only be where
-    // |product| < 2^-969 (the error is a multiple of 2^-105 times the product's binade). An
-    // overflow to -inf has the error +inf, whose step leads to the least double; one to +inf has
+    // One rounding: the error's sign is right unless it is below the normal numbers, which can only
+    // be where |product| < 2^-917 (the error is a multiple of 2^-105 times the product's binade).
+    // An overflow to -inf has the error +inf, whose step leads to the least double; one to +inf has
     // -inf; NaN, from infinite operands, steps nowhere.
     const double error = __builtin_fma(x, y, -product);
-    if (error == 0 && magnitude_of(product) < 0x1p-968) [[unlikely]]
+    if (below(product, 0x1p-900) || subnormal(x) || subnormal(y)) [[unlikely]]
       product = mul_up_slow(x, y);
     else
       product = up_if(error > 0, product);
@@ -86,7 +90,7 @@ struct nearest {
 #if defined(__FMA__)
     // x - quotient y: signs and special cases as in mul_up; a multiple of 2^-105 times x's binade.
     const double remainder = __builtin_fma(-quotient, y, x);
-    if (remainder == 0 && magnitude_of(x) < 0x1p-968) [[unlikely]]
+    if (below(x, 0x1p-900) || subnormal(y) || below(quotient, 0x1p-1021)) [[unlikely]]
       quotient = div_up_slow(x, y);
     else
       quotient = up_if(__builtin_copysign(1.0, y) * remainder > 0, quotient);
@@ -108,17 +112,22 @@ struct nearest {
   }
 
   static double sqrt_up(double x) {
+    hardware::pin(x);
+    if (!has_usual_root(x)) [[unlikely]]
+      return sqrt_slow(x, exact::direction::up);
     double root;
-    const int error = sqrt_error(x, root);
-    root = up_if(error > 0, root);
+    const bool low = sqrt_error(x, root) > 0;
+    root = up_if(low, root);
     hardware::pin(root);
     return root;
   }
   static double sqrt_down(double x) {
+    hardware::pin(x);
+    if (!has_usual_root(x)) [[unlikely]]
+      return sqrt_slow(x, exact::direction::down);
     double root;
-    const int error = sqrt_error(x, root);
     // a root with an error is positive and normal: its predecessor is one less as an integer
-    if (error < 0)
+    if (sqrt_error(x, root) < 0)
       root = bit_cast<double>(bit_cast<std::int64_t>(root) - 1);
     hardware::pin(root);
     return root;
@@ -139,7 +148,14 @@ private:
     const auto bits = bit_cast<std::int64_t>(x);
     return bit_cast<double>(bits + (-std::int64_t{inexact} & (bits >> 63 | 1)));
   }
-  static constexpr double magnitude_of(double x) { return __builtin_fabs(x); }
+  // Magnitudes as integers: of 0 < |x| < 2^-968, of |x| < limit, of 0 < |x| < 2^-1022.
+  static constexpr bool tiny(double x) {
+    return (exact::bits_of(x) << 1) - 1 < (exact::bits_of(0x1p-968) << 1) - 1;
+  }
+  static constexpr bool below(double x, double limit) {
+    return exact::bits_of(x) << 1 < exact::bits_of(limit) << 1;
+  }
+  static constexpr bool subnormal(double x) { return below(x, 0x1p-1022) && !exact::is_zero(x); }
 
   /// A double as integers; significand and field mean something for normal numbers only.
   struct parts {
@@ -157,12 +173,14 @@ private:
     }
   };
 
+  /// x >= 2^-900, and finite: the error below is a normal number or 0.
+  static bool has_usual_root(double x) {
+    return exact::bits_of(x) - exact::bits_of(0x1p-900) <
+           exact::bits_of(std::numeric_limits<double>::infinity()) - exact::bits_of(0x1p-900);
+  }
   /// root = RN(sqrt x); returns the sign of sqrt x - root.
   static int sqrt_error(double x, double& root) {
-    hardware::pin(x);
     root = hardware::sqrt(x);
-    if (!(x >= 0x1p-968 && x < std::numeric_limits<double>::infinity())) [[unlikely]]
-      return sqrt_error_slow(x, root);
 #if defined(__FMA__)
     const double error = __builtin_fma(-root, root, x); // a double, since x >= 2^-968
     return (error > 0) - (error < 0);
@@ -184,12 +202,10 @@ private:
   [[gnu::cold, gnu::noinline]] static double div_up_slow(double x, double y) {
     return exact::div(x, y, exact::direction::up);
   }
-  [[gnu::cold, gnu::noinline]] static int sqrt_error_slow(double x, double root) {
-    if (!(x > 0) || !exact::finite(x))
-      return 0; // zeros, infinity and NaN are their own roots
-    const double up = exact::sqrt_of_positive(x, exact::direction::up);
-    const double down = exact::sqrt_of_positive(x, exact::direction::down);
-    return (up > root) - (down < root);
+  [[gnu::cold, gnu::noinline]] static double sqrt_slow(double x, exact::direction d) {
+    if (exact::is_zero(x) || !exact::above_zero(x) || !exact::finite(x))
+      return hardware::sqrt(exact::sign_if_number(x)); // zeros, infinity and NaN; NaN below zero
+    return exact::sqrt_of_positive(x, d);
   }
 };
 

@@ -35,7 +35,7 @@ GRAZE_INLINE pair select(bits mask, pair yes, pair no) {
   return (pair)(((bits)yes & mask) | ((bits)no & ~mask));
 #endif
 }
-/// True where both halves of the mask are set.
+/// True where both halves of the mask are set: by their sign bits.
 GRAZE_INLINE bool all(bits mask) { return _mm_movemask_pd((pair)mask) == 3; }
 
 /// A rounded pair, and where it can be trusted; elsewhere the general operation must serve.

@@ -8,9 +8,11 @@ struct switching {
   using number = double;
   static constexpr const char* name = "switching";
 
-  /// Nothing: every operation sets the mode that it needs and restores the one that it found.
-  struct scope {
-    scope() {}
+  /// Every operation sets the mode that it needs and restores the one that it found; what compares
+  /// bounds between them does it here, where subnormal numbers are not taken for zeros.
+  class scope : hardware::mode_scope {
+  public:
+    scope() : mode_scope(hardware::mode::nearest) {}
   };
 
   static double add_down(double x, double y) { return in(down, hardware::add, x, y); }

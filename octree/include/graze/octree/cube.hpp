@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <graze/expected.hpp>
 #include <graze/octree/vector.hpp>
+#include <graze/rounding/hardware.hpp>
 
 namespace graze::octree {
 
@@ -69,6 +70,7 @@ public:
   }
 
 private:
+  [[nodiscard]] static expected<root_cube> make_within_scope(const cube& box, int level);
   root_cube(const cube& box, int level) : box_(box), level_(level) {}
   cube box_;
   int level_;
@@ -85,6 +87,13 @@ inline int lowest_bit_exponent(double x) {
 } // namespace detail
 
 inline expected<root_cube> root_cube::make(const cube& box, int level) {
+  // sums are told from exact ones, to nearest, and planes may be subnormal numbers
+  const rounding::hardware::mode_scope scope(rounding::hardware::mode::nearest);
+  return make_within_scope(box, level);
+}
+
+[[gnu::noinline]] inline expected<root_cube> root_cube::make_within_scope(const cube& box,
+                                                                          int level) {
   if (level < 1 || level > max_level)
     return unexpected{"level " + std::to_string(level) + " is outside 1..53"};
   if (!std::isfinite(box.size) || !(box.size > 0))

@@ -17,6 +17,7 @@
 #include <graze/octree/determinant_sign.hpp>
 #include <graze/octree/ray.hpp>
 #include <graze/octree/ray_bounds.hpp>
+#include <graze/rounding/hardware.hpp>
 #include <limits>
 
 namespace graze::octree {
@@ -34,9 +35,10 @@ inline bool scales_exactly(double component, double scale) {
 }
 
 /// A ray prepared for exact decisions. May be made and asked in any rounding mode, and gives the
-/// same answers in each; where subnormal operands count as zero (DAZ) they are not to be trusted
-/// (rounding::refusal). A cube's lo + size must be exact doubles, as they are for every octant of a
-/// root_cube.
+/// same answers in each; where subnormal operands count as zero (DAZ) they are not to be trusted:
+/// it is for loops, within a scope of any backend that sets a mode, or once rounding::refusal() has
+/// nothing to say. touches() and owns() below take a scope themselves. A cube's lo + size must be
+/// exact doubles, as they are for every octant of a root_cube.
 class exact_touch {
 public:
   explicit exact_touch(const ray& r) : direction_(r.direction()) {
@@ -143,12 +145,25 @@ private:
   unsigned moving_pairs_ = 0;
 };
 
-/// The ray meets the closed cube: exact, for every finite ray, in every rounding mode.
-[[nodiscard]] inline bool touches(const ray& r, const cube& c) { return exact_touch(r).touches(c); }
+namespace detail {
+template <convention C>
+[[gnu::noinline]] bool meets_within_scope(const ray& r, const cube& c, unsigned closed_far) {
+  return exact_touch(r).meets<C>(c, closed_far);
+}
+template <convention C> bool meets(const ray& r, const cube& c, unsigned closed_far) {
+  const rounding::hardware::mode_scope scope(rounding::hardware::mode::nearest);
+  return meets_within_scope<C>(r, c, closed_far);
+}
+} // namespace detail
+
+/// The ray meets the closed cube: exact, for every finite ray, in any environment.
+[[nodiscard]] inline bool touches(const ray& r, const cube& c) {
+  return detail::meets<convention::closed>(r, c, 0);
+}
 
 /// The ray has a point in the half-open cube (exact_touch::owns).
 [[nodiscard]] inline bool owns(const ray& r, const cube& c, unsigned closed_far = 0) {
-  return exact_touch(r).owns(c, closed_far);
+  return detail::meets<convention::owned>(r, c, closed_far);
 }
 
 } // namespace graze::octree

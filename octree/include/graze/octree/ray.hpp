@@ -5,6 +5,7 @@
 #include <cmath>
 #include <graze/expected.hpp>
 #include <graze/octree/vector.hpp>
+#include <graze/rounding/exact.hpp>
 
 namespace graze::octree {
 
@@ -20,7 +21,8 @@ public:
       if (!std::isfinite(direction[axis]))
         return unexpected{"ray direction is not finite"};
     }
-    if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0)
+    using rounding::exact::is_zero; // subnormal numbers are none, in any environment
+    if (is_zero(direction[0]) && is_zero(direction[1]) && is_zero(direction[2]))
       return unexpected{"ray direction is zero"};
     return ray(origin, direction);
   }

@@ -3,6 +3,7 @@
 #include <graze/bounds.hpp>
 #include <graze/oracle/hard_operands.hpp>
 #include <mpfr.h>
+#include <utility>
 
 namespace graze::oracle {
 
@@ -101,7 +102,14 @@ public:
     default:
       b = point(active);
     }
-    return a <= b ? bounds{a, b} : bounds{b, a};
+    if (!(a <= b))
+      std::swap(a, b);
+    constexpr double largest = std::numeric_limits<double>::max();
+    if (b == -infinity) // a point beyond the last double: no set
+      b = -largest;
+    if (a == infinity)
+      a = largest;
+    return {a, b};
   }
 
 private:

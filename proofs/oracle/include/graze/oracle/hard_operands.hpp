@@ -70,10 +70,14 @@ public:
   double any_normal() { return with_exponent(static_cast<int>(below(2046)) - 1022); }
   double moderate() { return with_exponent(static_cast<int>(below(200)) - 100); }
 
-  /// k doubles further from zero (k < 0: nearer), within one sign.
+  /// k doubles further from zero (k < 0: nearer), within one sign, and no further than infinity,
+  /// beyond which bits are those of a NaN. A NaN stays one.
   static double step(double x, int k) {
+    if (std::isnan(x))
+      return x;
+    constexpr auto last = std::bit_cast<std::int64_t>(std::numeric_limits<double>::infinity());
     const auto bits = std::bit_cast<std::int64_t>(std::fabs(x)) + k;
-    return std::copysign(bits < 0 ? 0 : std::bit_cast<double>(bits), x);
+    return std::copysign(bits < 0 ? 0 : std::bit_cast<double>(bits < last ? bits : last), x);
   }
   double nudged(double x) { return step(x, static_cast<int>(below(5)) - 2); }
 

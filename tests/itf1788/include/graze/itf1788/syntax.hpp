@@ -8,6 +8,9 @@
 ///               decoration, | "[nai]"
 ///   number    = decimal or hexadecimal of C with an optional suffix f or l, infinity, NaN
 ///   array     = "{" [number ("," number)*] "}"
+/// A number that is no double is kept as it is written (other_format), not rounded: a hexadecimal
+/// one, and a decimal one of more than 17 digits; shorter decimals mean the nearest double. So is
+/// whatever else stands in a literal's place and is none. Their statements are not supported.
 /// Comments: // or # to the end of the line, /* ... */ and #* ... *#.
 /// Source: M. Kiesner, M. Nehmeier, J. Wolff von Gudenberg, "ITF1788: An Interval Testframework for
 /// IEEE 1788", Technical Report 495, University of Wuerzburg, 2015. More lenient than there:
