@@ -159,3 +159,77 @@ TEST_CASE("fuzz.properties: a repeated octant and one from outside are noticed",
   CHECK_FALSE(said.outside());
   CHECK(said.size() == 0);
 }
+
+namespace {
+
+/// The same trial with its axes renamed: x becomes y, y becomes z, z becomes x.
+trial turned(const trial& t) {
+  trial r = t;
+  for (unsigned a = 0; a < 3; ++a) {
+    const unsigned b = (a + 1) % 3;
+    r.origin[b] = t.origin[a];
+    r.direction[b] = t.direction[a];
+    r.root.lo[b] = t.root.lo[a];
+    r.base[b] = t.base[a];
+    r.extent[b] = t.extent[a];
+  }
+  return r;
+}
+voxel turned(voxel v) { return voxel_at(v >> 4, v & 3u, v >> 2 & 3u); }
+voxel_set turned(voxel_set s) {
+  voxel_set r = 0;
+  for (; s != 0; s &= s - 1)
+    r |= voxel_set{1} << turned(static_cast<voxel>(std::countr_zero(s)));
+  return r;
+}
+
+} // namespace
+
+TEST_CASE("fuzz.properties: the truth does not depend on the names of the axes", "[property]") {
+  unsigned lengths = 0, owners = 0;
+  for (const generator& g : generators())
+    for (std::uint64_t k = 0; k < 300; ++k) {
+      const trial t = make_trial(g, 61, k, std::array{1, 2, 10, 50}[k % 4]);
+      const truth is = truth_of(t), same = truth_of(turned(t));
+      INFO(g.name << " " << k);
+      REQUIRE(same.touched == turned(is.touched));
+      REQUIRE(same.owned == turned(is.owned));
+      REQUIRE(same.crossed == turned(is.crossed));
+      REQUIRE(same.owners == is.owners);
+      for (unsigned i = 0; i < is.owners; ++i)
+        REQUIRE(same.owner_order[i] == turned(is.owner_order[i]));
+      REQUIRE(same.length_count == is.length_count);
+      for (unsigned i = 0; i < is.length_count; ++i)
+        REQUIRE(same.lengths[i] == turned(is.lengths[i]));
+      lengths += is.length_count;
+      owners += is.owners;
+    }
+  CHECK(lengths > 1000);
+  CHECK(owners > 1000);
+}
+
+TEST_CASE("fuzz.properties: each kind of finding is found, by itself", "[unit]") {
+  const auto found = [](const trial& t, std::initializer_list<voxel> answer, promise p) {
+    return judge(t, truth_of(t), seen(answer), p).findings;
+  };
+  // along the edge x = y = 1/2: it touches all eight, owns two of them, crosses none
+  const trial edge = eight({0.5, 0.5, 0}, {0, 0, 1});
+  const voxel o110 = voxel_at(1, 1, 0), o101 = voxel_at(1, 0, 1);
+  CHECK(found(edge, {o110, o111}, promise::owned) == 0u);
+  CHECK(found(edge, {}, promise::crossed) == bit(finding::gap));
+  CHECK(found(edge, {o000, o111}, promise::crossed) == 0u);
+  CHECK(found(edge, {o110, o111}, promise::touched) == bit(finding::miss));
+  CHECK(found(edge, {o000, o111}, promise::owned) == bit(finding::miss));
+  CHECK(found(edge, {o111, o110}, promise::owned) == bit(finding::order));
+  CHECK(found(edge, {o111, o110}, promise::crossed) == 0u);
+  // touched, but not owned: one too many for who promises the owners exactly
+  CHECK(found(edge, {o110, o111, o101}, promise::exactly_owned) == bit(finding::spurious));
+  CHECK(found(edge, {o110, o111, o101}, promise::owned) == 0u);
+  CHECK(found(edge, {o000, o100, o010, o110, o001, o101, o011, o111}, promise::exactly_touched) ==
+        0u);
+  // through the middle of an octant
+  const trial through = eight({0.25, 0.25, 0}, {0, 0, 1});
+  CHECK(found(through, {o000, o001}, promise::exactly_owned) == 0u);
+  CHECK((found(through, {o000}, promise::owned) & bit(finding::crossed_miss)) != 0u);
+  CHECK((found(through, {o000, o001, o111}, promise::owned)) == bit(finding::far_spurious));
+}

@@ -142,3 +142,28 @@ TEST_CASE("octree.certified: a face of the domain within ulps of a scene's surfa
     CHECK(tallies[0].hits > 20);
   });
 }
+
+TEST_CASE("octree.certified: a ray that passes beside the domain is a miss, in no step", "[unit]") {
+  judge::random_source random(47);
+  const box domain{{-1, -0.75, 0.375}, {1, 2.5, 1.125}};
+  const plane f{0, 0.5};
+  const auto traversal = certified_traversal<plane>::make(f, domain);
+  REQUIRE(traversal);
+  int beside = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    vec3 o, d;
+    for (int a = 0; a < 3; ++a) {
+      o[a] = random.in(-4, 4);
+      d[a] = random.below(6) == 0 ? 0 : random.in(-1, 1);
+    }
+    const auto r = ray::make(o, d);
+    if (!r || oracle::rational::range_in(o, d, {-1.001, -0.751, 0.374}, {1.001, 2.501, 1.126}))
+      continue;
+    ++beside;
+    std::uint64_t steps = 0;
+    const certified_hit h = traversal->first_hit(*r, &steps);
+    REQUIRE(h.outcome == verdict::miss);
+    REQUIRE(steps == 0);
+  }
+  CHECK(beside > 10'000);
+}
