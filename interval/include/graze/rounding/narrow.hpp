@@ -44,8 +44,7 @@ constexpr float narrowed(double x, narrowing to) {
   bool away = false;
   if (to == narrowing::nearest) {
     const std::uint64_t half = std::uint64_t{1} << (shift - 1);
-    // the largest float and half a step is 2^128 - 2^103
-    away = beyond ? size >= 0x47effffff0000000 : lost + (kept & 1) > half;
+    away = beyond | (lost + (kept & 1) > half); // the largest float is odd: a tie goes to infinity
   } else {
     away = (beyond | (lost != 0)) & ((sign != 0) == (to == narrowing::down));
   }
