@@ -6,10 +6,6 @@
 #include <graze/octree/asterisk.hpp>
 #include <graze/octree/certified_hit.hpp>
 #include <graze/octree/exact.hpp>
-#include <graze/octree/gargantini.hpp>
-#include <graze/octree/plain.hpp>
-#include <graze/octree/published.hpp>
-#include <graze/octree/revelles.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree/surfaces.hpp>
 #include <graze/octree/voxelizer.hpp>
@@ -17,12 +13,17 @@
 #include <graze/oracle/roots.hpp>
 #include <graze/rounding/environment.hpp>
 #include <graze/rounding/nearest.hpp>
+#include <peers/paper2005/gargantini.hpp>
+#include <peers/paper2005/plain.hpp>
+#include <peers/paper2005/published.hpp>
+#include <peers/papers/revelles.hpp>
 #include <vector>
 
 namespace {
 
 using namespace graze;
 using namespace graze::octree;
+using namespace graze::peers;
 
 /// Two spheres about 0, the squares of whose radii differ by 1 / Power.
 template <std::int64_t Power> struct shell {

@@ -5,19 +5,20 @@
 #include <cstdlib>
 #include <fstream>
 #include <graze/octree/exact.hpp>
-#include <graze/octree/gargantini.hpp>
 #include <graze/octree/lane_kernels.hpp>
-#include <graze/octree/plain.hpp>
-#include <graze/octree/published.hpp>
 #include <graze/octree/surfaces.hpp>
 #include <graze/rounding/split.hpp>
 #include <limits>
+#include <peers/paper2005/gargantini.hpp>
+#include <peers/paper2005/plain.hpp>
+#include <peers/paper2005/published.hpp>
 #include <support/exact_roots.hpp>
 
 namespace graze::bench {
 namespace {
 using namespace graze;
 using namespace graze::octree;
+using namespace graze::peers;
 
 /// What the paper's Table 1 has of ray casting, seconds on a Pentium 4 of 2.4 GHz; 0: the cell is
 /// lost.

@@ -14,7 +14,8 @@ graze_packages=(
 graze_report_packages=(
   povray
   libcgal-dev libmpfi-dev libflint-dev libflint-arb-dev
-  liboctomap-dev libopenvdb-dev libnanovdb-dev libpcl-dev libeigen3-dev libembree-dev
+  # those of the list of peers
+  $(sed -n 's/^graze_peer_library([^ ]* \([^ ]*\) .*/\1/p' "$(dirname "${BASH_SOURCE[0]}")/../fuzz/peers/CMakeLists.txt")
 )
 
 # Cargo fetches the pinned sources of CORE-MATH and CRlibm. Debian's own cargo (1.65) is too old for

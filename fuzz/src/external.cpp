@@ -1,3 +1,4 @@
+#include <adapters/adapter.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <graze/fuzz/external.hpp>
@@ -19,25 +20,13 @@ clock::duration in_seconds(double s) {
 /// What all processes of one command share.
 struct plan {
   external_options options;
-  std::string name;
+  std::string name, summary;
   promise promised = promise::crossed;
   double start_seconds = 0; ///< until the first answer of a process, beyond the time of a ray
 };
 
-/// x rounded to float. Without the volatile, gcc 12 at -O3 turns six of these into two conversions
-/// of two numbers and copies the last two as they are.
-double to_float(double x) {
-  volatile float narrow = static_cast<float>(x);
-  return static_cast<double>(narrow);
-}
-
 received_ray rounded(const trial& t) {
-  received_ray r{};
-  for (unsigned a = 0; a < 3; ++a) {
-    r.origin[a] = to_float(t.origin[a]);
-    r.direction[a] = to_float(t.direction[a]);
-  }
-  return r;
+  return {adapter::to_float(t.origin), adapter::to_float(t.direction)};
 }
 
 class external final : public traversal {
@@ -231,9 +220,8 @@ private:
   fault suspected_ = fault::none;
 };
 
-traversal_entry entry_of(const std::shared_ptr<const plan>& p, std::string_view summary,
-                         std::string options) {
-  return {p->name, summary, [p] { return std::unique_ptr<traversal>(new external(p)); },
+traversal_entry entry_of(const std::shared_ptr<const plan>& p, std::string options) {
+  return {p->name, p->summary, [p] { return std::unique_ptr<traversal>(new external(p)); },
           std::move(options)};
 }
 
@@ -260,8 +248,9 @@ std::string spelled(const external_options& options) {
 }
 
 expected<traversal_entry> external_traversal(const external_options& options) {
-  const auto shared = std::make_shared<plan>(
-      plan{options, options.command, promise::crossed, options.start_seconds});
+  const auto shared =
+      std::make_shared<plan>(plan{options, options.command, "a traversal in another process",
+                                  promise::crossed, options.start_seconds});
   hello said;
   double seconds = 0;
   {
@@ -273,15 +262,15 @@ expected<traversal_entry> external_traversal(const external_options& options) {
   shared->promised = options.promised.value_or(said.promised.value_or(promise::crossed));
   // others start as fast, or, on a machine that is busy, ten times slower
   shared->start_seconds = std::max(1.0, 10 * seconds);
-  return entry_of(shared, "a traversal in another process", spelled(options));
+  return entry_of(shared, spelled(options));
 }
 
 traversal_entry untried_external_traversal(const external_options& options, std::string_view name,
                                            std::string_view summary) {
-  return entry_of(std::make_shared<plan>(plan{options, std::string(name),
+  return entry_of(std::make_shared<plan>(plan{options, std::string(name), std::string(summary),
                                               options.promised.value_or(promise::crossed),
                                               options.start_seconds}),
-                  summary, {});
+                  {});
 }
 
 } // namespace graze::fuzz

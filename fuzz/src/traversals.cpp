@@ -1,8 +1,5 @@
 #include <graze/fuzz/method_traversal.hpp>
 #include <graze/octree/exact.hpp>
-#include <graze/octree/gargantini.hpp>
-#include <graze/octree/plain.hpp>
-#include <graze/octree/published.hpp>
 #include <graze/octree/sound.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/split.hpp>
@@ -27,18 +24,6 @@ constexpr char exactly[] = "exact", exactly_closed[] = "exact-closed",
                exactly_nearest[] = "exact-nearest";
 constexpr char upward[] = "sound", closed[] = "sound-closed", nearest[] = "sound-nearest",
                split[] = "sound-split", switching[] = "sound-switching";
-
-// The baselines leave octants out on purpose that they only touch (the paper's strict overlap), so
-// a miss of theirs is a crossed octant.
-std::unique_ptr<traversal> published() {
-  return std::make_unique<method_traversal<octree::published>>("published", promise::crossed);
-}
-std::unique_ptr<traversal> plain() {
-  return std::make_unique<method_traversal<octree::plain>>("plain", promise::crossed);
-}
-std::unique_ptr<traversal> gargantini() {
-  return std::make_unique<method_traversal<octree::gargantini>>("gargantini", promise::crossed);
-}
 
 std::vector<traversal_entry>& linked() {
   static std::vector<traversal_entry> list;
@@ -72,13 +57,9 @@ const std::vector<traversal_entry>& traversals() {
          exact<rounding::upward, convention::closed, exactly_closed>},
         {exactly_nearest, "as exact, on the backend that needs no rounding mode",
          exact<rounding::nearest, convention::owned, exactly_nearest>},
-        {"published", "the paper's ray voxelization to the letter", published},
-        {"plain", "the sound formulas in round to nearest", plain},
-        {"gargantini", "mid-plane intersections sorted in t (Gargantini and Atkinson 1993)",
-         gargantini},
     };
-    const auto lanes = lane_traversals();
-    list.insert(list.end(), lanes.begin(), lanes.end());
+    for (const auto& more : {baselines_of_2005(), lane_traversals()})
+      list.insert(list.end(), more.begin(), more.end());
     return list;
   }();
   return all;

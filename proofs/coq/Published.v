@@ -1,4 +1,4 @@
-(** The paper's ray/octant test as printed (octree/include/graze/octree/published.hpp) misses octants:
+(** The paper's ray/octant test as printed (fuzz/peers/paper2005/published.hpp) misses octants:
     the gap of the paper as theorems, by computation inside Coq.
 
     [published] below is `published::enter` (and, for an octant, the test of `split`, which takes the

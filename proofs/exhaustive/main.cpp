@@ -61,7 +61,7 @@ template <int Precision, int Emin, int Emax> struct run_of {
     }
   };
 
-  /// octree/published.hpp over the tiny float.
+  /// fuzz/peers/paper2005/published.hpp over the tiny float.
   struct published {
     struct interval {
       tiny enter, leave;

@@ -4,15 +4,16 @@
 #include <graze/fuzz/method_traversal.hpp>
 #include <graze/fuzz/properties.hpp>
 #include <graze/octree/exact.hpp>
-#include <graze/octree/published.hpp>
 #include <graze/octree/sound.hpp>
 #include <graze/oracle/rational.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/upward.hpp>
+#include <peers/paper2005/published.hpp>
 
 using namespace graze::fuzz;
 using namespace graze::octree;
+using namespace graze::peers;
 
 namespace {
 

@@ -1,5 +1,6 @@
 /// A traversal behind the line protocol that is right, but for what it does on purpose when a ray's
 /// direction has x < 0: test_peer BEHAVIOUR.
+#include <adapters/adapter.hpp>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -50,11 +51,6 @@ trial read_plain(const std::string& line) {
       read(x);
   read(t.root.size);
   return t;
-}
-
-double to_float(double x) {
-  volatile float narrow = static_cast<float>(x); // see external.cpp
-  return static_cast<double>(narrow);
 }
 
 json answer_to(const trial& t, traversal& by, bool around = false) {
@@ -139,7 +135,7 @@ int main(int argc, char** argv) {
       json received;
       for (vec3* v : {&t.origin, &t.direction})
         for (double& x : *v)
-          x = to_float(x);
+          x = adapter::to_float(x);
       const bool ray = graze::octree::ray::make(t.origin, t.direction).has_value();
       json object{{"visited", ray ? answer_to(t, *sound) : json::array()}};
       if (is("float")) {

@@ -1,20 +1,21 @@
 // Descents with every child present, at levels where all octants can be listed and judged exactly.
 #include <array>
 #include <catch2/catch.hpp>
-#include <graze/octree/gargantini.hpp>
-#include <graze/octree/plain.hpp>
-#include <graze/octree/published.hpp>
 #include <graze/octree/sound.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/switching.hpp>
 #include <graze/rounding/upward.hpp>
+#include <peers/paper2005/gargantini.hpp>
+#include <peers/paper2005/plain.hpp>
+#include <peers/paper2005/published.hpp>
 #include <random>
 #include <vector>
 
 using namespace graze;
 using namespace graze::octree;
+using namespace graze::peers;
 
 namespace {
 

@@ -1,13 +1,14 @@
 // The hex-float cases on which the paper as printed, or arithmetic without care, misses an octant.
 #include <catch2/catch.hpp>
-#include <graze/octree/published.hpp>
 #include <graze/octree/sound.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <graze/rounding/upward.hpp>
+#include <peers/paper2005/published.hpp>
 #include <xmmintrin.h>
 
 using namespace graze;
 using namespace graze::octree;
+using namespace graze::peers;
 
 namespace {
 

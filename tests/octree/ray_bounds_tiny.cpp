@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <graze/exhaustive/tiny_float.hpp>
-#include <graze/octree/plain.hpp>
 #include <graze/octree/ray_bounds.hpp>
 
 using namespace graze;

@@ -4,16 +4,17 @@
 #include "surface_rays.hpp"
 #include "surface_scenes.hpp"
 #include <catch2/catch.hpp>
-#include <graze/octree/gargantini.hpp>
-#include <graze/octree/plain.hpp>
-#include <graze/octree/published.hpp>
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <graze/rounding/nearest.hpp>
+#include <peers/paper2005/gargantini.hpp>
+#include <peers/paper2005/plain.hpp>
+#include <peers/paper2005/published.hpp>
 #include <string>
 
 using namespace graze;
 using namespace graze::octree;
+using namespace graze::peers;
 
 namespace {
 

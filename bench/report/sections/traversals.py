@@ -5,22 +5,20 @@ Errors are counted by graze-fuzz, whose judge is exact: in this process, or in a
 """
 import collections
 import json
+import pathlib
+import re
 
 from report import figures, page, statistics
 from report.context import MeasurementFailed
 
 NAME = "traversals"
 TITLE = "Traversals: rays a second against misses and spurious visits"
-ADAPTERS = {"cgal": "libcgal-dev", "embree": "libembree-dev", "nanovdb": "libnanovdb-dev", "octomap": "liboctomap-dev",
-            "openvdb": "libopenvdb-dev", "pcl": "libpcl-dev"}
+PEERS = pathlib.Path(__file__).parents[3] / "fuzz/peers/CMakeLists.txt"
+# each library on that list, and Debian's package
+ADAPTERS = dict(re.findall(r"^graze_peer_library\((\S+) (\S+)", PEERS.read_text(), re.M))
 TARGETS = ["graze-voxel-peers", "graze-fuzz", *(f"graze-adapter-{name}" for name in ADAPTERS)]
 
 LEVELS = (10, 30, 50)
-# judged, but not timed: graze-voxel-peers has no such traversal of its voxels
-UNTIMED = {"octomap-cast-ray": "OctoMap, castRay", "openvdb-dda": "OpenVDB, DDA",
-           "openvdb-volume-ray-intersector": "OpenVDB, leaf by leaf", "embree-triangles": "Embree, triangles",
-           "embree-triangles-robust": "Embree, triangles, robust", "cgal-inexact": "CGAL box test, double",
-           "cgal-epick": "CGAL box test, EPICK", "cgal-epeck": "CGAL box test, EPECK"}
 # rays a campaign asks in a (full, quick) run, by the beginning of the name: libraries behind pipes are slow, and
 # each of OpenVDB's hangs costs two seconds
 RAYS = {"openvdb-volume": (6000, 300), "openvdb": (600, 60), "nanovdb": (20000, 300), "octomap": (6000, 150),
@@ -41,7 +39,7 @@ def measure(context):
     generators = [name for name in listed["generators"] if name != "random"]
     there = {name for group in listed.values() for name in group}
     asked = dict.fromkeys((c["traversal"], c["path"]) for c in timing["contestants"])
-    asked.update(dict.fromkeys((name, "") for name in UNTIMED))
+    asked.update(dict.fromkeys((name, "") for name in timing["untimed"]))
     campaigns, unfinished = [], []
     for traversal, path in asked:
         if traversal not in there:
@@ -117,7 +115,8 @@ def rows_of(data):
 
     rows = [Row(c["name"], c["kind"], statistics.spread(c["rays_a_second"]), c, campaigns(c["traversal"], c["path"]))
             for c in data["timing"]["contestants"]]
-    return rows + [Row(name, "library", None, None, campaigns(traversal, "")) for traversal, name in UNTIMED.items()
+    untimed = data["timing"]["untimed"]
+    return rows + [Row(name, "library", None, None, campaigns(traversal, "")) for traversal, name in untimed.items()
                    if campaigns(traversal, "")]
 
 

@@ -7,12 +7,13 @@
 #include <catch2/catch.hpp>
 #include <graze/octree/certified_hit.hpp>
 #include <graze/octree/lane_kernels.hpp>
-#include <graze/octree/plain.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <graze/rounding/nearest.hpp>
+#include <peers/paper2005/plain.hpp>
 
 using namespace graze;
 using namespace graze::octree;
+using namespace graze::peers;
 using judge::tally;
 
 namespace {

@@ -130,11 +130,12 @@ struct traversal_entry {
 
 /// All that can be chosen, the sound ones first.
 const std::vector<traversal_entry>& traversals();
-/// Those of octree/voxel_rays.hpp; traversals() has them.
+/// Those of fuzz/peers/paper2005 and of octree/voxel_rays.hpp; traversals() has them.
+std::vector<traversal_entry> baselines_of_2005();
 std::vector<traversal_entry> lane_traversals();
 /// The traversals that are wrong on purpose: the harness is tested with them.
 const std::vector<traversal_entry>& mutants();
-/// Traversals of others, written here from their papers: examples to copy (fuzz/src/adapters).
+/// Traversals of others, written here from their papers (fuzz/peers/papers), and the exact reference.
 const std::vector<traversal_entry>& adapters();
 /// What the program has added, before it runs anything: traversals that it links to.
 const std::vector<traversal_entry>& linked_traversals();
