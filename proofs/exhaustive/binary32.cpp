@@ -252,9 +252,10 @@ Exit code: 0 each result is the tightest, 1 one is not, 2 bad input.)");
   };
   if (r.last < r.first)
     return bad_input("--last is before --first");
+  const bool all = names.empty();
   std::vector<const function*> chosen;
   for (const function& f : functions)
-    if (names.empty() || std::erase(names, f.name) != 0)
+    if (all || std::erase(names, f.name) != 0)
       chosen.push_back(&f);
   if (!names.empty())
     return bad_input(fmt::format("no function is called \"{}\"", names.front()));
