@@ -31,7 +31,9 @@ preloaded)
   if [ -x "$bin/graze-fuzz" ]; then
     LD_PRELOAD=$library "$bin/graze-fuzz" run --traversal sound --rays 40000 --seed 3 --threads 2 ||
       fails "graze-fuzz run finds something"
-    for subject in $("$bin/graze-fuzz" self list 2>/dev/null | awk '{print $1}'); do
+    subjects=$("$bin/graze-fuzz" self --list | awk '/^[a-z]/ {print $1}')
+    [ -n "$subjects" ] || fails "graze-fuzz names no subject of self"
+    for subject in $subjects; do
       LD_PRELOAD=$library "$bin/graze-fuzz" self "$subject" --trials 3000 ||
         fails "graze-fuzz self $subject finds something"
     done
