@@ -303,3 +303,20 @@ TEST_CASE("octree.determinant_sign: subnormal operands, and zero beside any",
   CHECK(wrong == 0);
   CHECK(ties > 1000);
 }
+
+TEST_CASE("octree.exact_touch: a distance that overflows proves nothing",
+          "[regression][hardcase]") {
+  // the exit on axis 1 is 1.125 * 2^1024 away: the largest double, where rounding is not upwards
+  const cube c{{0, -0x1p1023, -0x1p1022}, 0x1.cp1023};
+  const vec3 hi{c.hi(0), c.hi(1), c.hi(2)}, o{-0x1p1023, -0x1.8p1023, 0};
+  std::array<int, 2> seen{};
+  for (int k = 1; k < 128; ++k) {
+    const vec3 d{0x1p-100, (2 + k * 0x1p-8) * 0x1p-100, 0};
+    const bool is = oracle::touches(o, d, c.lo, hi);
+    const ray r = *ray::make(o, d);
+    CHECK(in_all_modes([&] { return 4 + touches(r, c); }) == 4 + is);
+    ++seen[is];
+  }
+  CHECK(seen[0] > 10);
+  CHECK(seen[1] > 10);
+}
