@@ -67,6 +67,7 @@ TEST_CASE(
   hard_scenes random(2);
   const unsigned found = _mm_getcsr();
   std::vector<step> steps;
+  int judged = 0;
   for (int i = 0; i < 20'000; ++i) {
     const scene s = random.next();
     const box b = some_box(s, random);
@@ -85,8 +86,10 @@ TEST_CASE(
         REQUIRE(steps == expected_steps);
         REQUIRE(after == mode);
       }
+      ++judged;
     }
   }
+  CHECK(judged == 6 * 20'000);
 }
 
 TEST_CASE("oracle.geometry: unit cube, known answers", "[unit]") {

@@ -87,6 +87,7 @@ TEST_CASE("oracle.steps: equal to the definition in rationals on hard rays",
 TEST_CASE("oracle.steps: points and segments alternate, are maximal, and move monotonically",
           "[property][hardcase]") {
   hard_scenes random(4);
+  int walks = 0;
   for (int i = 0; i < 200'000; ++i) {
     const scene s = random.next();
     const std::vector<step> steps = steps_in_grid(s.origin, s.direction, s.grid());
@@ -119,12 +120,15 @@ TEST_CASE("oracle.steps: points and segments alternate, are maximal, and move mo
       CAPTURE(i, s.origin, s.direction, s.planes[0], s.planes[1], s.planes[2]);
       REQUIRE(sane);
     }
+    walks += steps.empty() ? 0 : 1;
   }
+  CHECK(walks > 50'000);
 }
 
 TEST_CASE("oracle.steps: a box is touched, crossed, owned as the steps within it say",
           "[property][hardcase]") {
   hard_scenes random(5);
+  int boxes_owned = 0;
   for (int i = 0; i < 100'000; ++i) {
     const scene s = random.next();
     const std::vector<step> steps = steps_in_grid(s.origin, s.direction, s.grid());
@@ -156,7 +160,9 @@ TEST_CASE("oracle.steps: a box is touched, crossed, owned as the steps within it
       REQUIRE(crossed == crosses(s.origin, s.direction, lo, hi));
       REQUIRE(owned == owns(s.origin, s.direction, lo, hi));
     }
+    boxes_owned += owned ? 1 : 0;
   }
+  CHECK(boxes_owned > 5'000);
 }
 
 TEST_CASE("oracle.steps: known walks", "[unit]") {

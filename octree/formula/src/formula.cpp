@@ -1,6 +1,7 @@
 // The parser: recursive descent over the grammar of octree_formula.hpp. It keeps no globals, and
 // makes sums of monomials as it reads.
 #include <graze/octree_formula.hpp>
+#include <graze/rounding/hardware.hpp>
 
 #include "expressions.hpp"
 
@@ -346,6 +347,8 @@ private:
 } // namespace
 
 expected<formula> formula::parse(std::string_view text, std::size_t* column) {
+  // A constant below the normal numbers is not 0, whatever the caller's environment is.
+  const rounding::hardware::mode_scope scope(rounding::hardware::mode::nearest);
   const auto refused = [column](std::size_t position, const std::string& why) {
     if (column != nullptr)
       *column = position + 1;

@@ -20,8 +20,10 @@ public:
   std::uint64_t below(std::uint64_t n) { return operands_.below(n); }
   bool coin() { return operands_.coin(); }
   double uniform(double lo, double hi) {
-    return lo +
-           (hi - lo) * (static_cast<double>(operands_.below(std::uint64_t{1} << 53)) * 0x1p-53);
+    const double part = static_cast<double>(operands_.below(std::uint64_t{1} << 53)) * 0x1p-53;
+    if (std::isinf(hi - lo)) // infinity times 0 would be a NaN
+      return 2 * (lo / 2 + (hi / 2 - lo / 2) * part);
+    return lo + (hi - lo) * part;
   }
   /// x in half of the cases, else up to 3 doubles beside it.
   double nudged(double x) {
@@ -94,7 +96,8 @@ public:
       b = a + uniform(0, 8);
       break;
     case 4:
-      b = a + uniform(0, 1) * std::fabs(a);
+      if (std::isfinite(a)) // -inf + inf would be a NaN
+        b = a + uniform(0, 1) * std::fabs(a);
       break;
     case 5:
       (coin() ? a : b) = coin() ? infinity : -infinity;
