@@ -296,7 +296,9 @@ TEST_CASE("graze-fuzz replay: a library's adapter is asked with the options that
           "[regression]") {
   const support::scratch dir;
   const std::string program = dir / "graze-adapter-octomap";
-  std::ofstream(program) << "#!/bin/sh\necho 'a word of the library' >&2\n";
+  std::ofstream(program) << "#!/bin/sh\n"
+                            "case $1 in --variants) printf 'octomap-ray-keys\\tcrossed\\tx\\n';; "
+                            "*) echo 'a word of the library' >&2;; esac\n";
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   const trial t = make_trial(generators().front(), 1, 0, 10);
   std::ofstream(dir / "ray.jsonl") << to_json_line(t) << '\n';

@@ -349,6 +349,7 @@ template <class I> interval_operation operators(std::string name) {
 template <class B> interval_operation points(std::string name) {
   interval_operation o;
   o.name = std::move(name);
+  o.of_numbers = true;
   o.generate = [](std::uint64_t seed, std::uint64_t index) {
     const std::uint64_t s = seed_of_trial(seed, index);
     oracle::hard_operands make(s);

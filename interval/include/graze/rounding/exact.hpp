@@ -18,28 +18,34 @@ struct magnitude {
   int exponent;
 };
 
+// Never emitted: a file compiled for a path's instructions may give away nothing that the linker could
+// choose for another (batch/path.hpp).
+#define GRAZE_EXACT_INLINE [[gnu::always_inline]] constexpr
+
 inline constexpr std::uint64_t sign_bit = 0x8000000000000000;
 inline constexpr std::uint64_t hidden_bit = 0x0010000000000000; // 2^52
 
-constexpr std::uint64_t bits_of(double x) { return bit_cast<std::uint64_t>(x); }
-constexpr bool negative(double x) { return (bit_cast<std::uint64_t>(x) & sign_bit) != 0; }
-constexpr bool finite(double x) {
+GRAZE_EXACT_INLINE std::uint64_t bits_of(double x) { return bit_cast<std::uint64_t>(x); }
+GRAZE_EXACT_INLINE bool negative(double x) { return (bit_cast<std::uint64_t>(x) & sign_bit) != 0; }
+GRAZE_EXACT_INLINE bool finite(double x) {
   return (bit_cast<std::uint64_t>(x) & 0x7ff0000000000000) != 0x7ff0000000000000;
 }
 /// Of either sign. (x == 0 holds for subnormal numbers too, where operands are flushed: DAZ.)
-constexpr bool is_zero(double x) { return (bit_cast<std::uint64_t>(x) & ~sign_bit) == 0; }
+GRAZE_EXACT_INLINE bool is_zero(double x) { return (bit_cast<std::uint64_t>(x) & ~sign_bit) == 0; }
 /// x < 0 and x > 0, for x not NaN, likewise.
-constexpr bool below_zero(double x) { return bit_cast<std::uint64_t>(x) > sign_bit; }
-constexpr bool above_zero(double x) { return bit_cast<std::int64_t>(x) > 0; }
+GRAZE_EXACT_INLINE bool below_zero(double x) { return bit_cast<std::uint64_t>(x) > sign_bit; }
+GRAZE_EXACT_INLINE bool above_zero(double x) { return bit_cast<std::int64_t>(x) > 0; }
 /// The order of doubles as integers; -0 and +0 are one. Not for NaN.
-constexpr std::int64_t rank(double x) {
+GRAZE_EXACT_INLINE std::int64_t rank(double x) {
   const auto bits = bit_cast<std::int64_t>(x);
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
 }
 /// x < y, x <= y and x == y in any environment; false for a NaN, as the operators are.
-constexpr bool less(double x, double y) { return x == x && y == y && rank(x) < rank(y); }
-constexpr bool less_equal(double x, double y) { return x == x && y == y && rank(x) <= rank(y); }
-constexpr bool equal(double x, double y) { return x == x && y == y && rank(x) == rank(y); }
+GRAZE_EXACT_INLINE bool less(double x, double y) { return x == x && y == y && rank(x) < rank(y); }
+GRAZE_EXACT_INLINE bool less_equal(double x, double y) {
+  return x == x && y == y && rank(x) <= rank(y);
+}
+GRAZE_EXACT_INLINE bool equal(double x, double y) { return x == x && y == y && rank(x) == rank(y); }
 constexpr double zero(bool is_negative) {
   return bit_cast<double>(is_negative ? sign_bit : std::uint64_t{0});
 }

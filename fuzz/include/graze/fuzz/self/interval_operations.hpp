@@ -25,6 +25,8 @@ struct interval_operation {
   std::function<void(const interval_operands&, const bounds& value, observations&)> judge;
   /// What the decoration should be, where there is a judge of it; and what it is.
   std::function<decoration(const interval_operands&)> right_local = {}, local = {};
+  /// It is asked of numbers, each as [x, x], infinities and NaN among them; else of sets.
+  bool of_numbers = false;
 };
 
 /// Arithmetic (by every backend too), sets and the reverse operations of IEEE 1788.1.
