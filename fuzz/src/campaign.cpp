@@ -2,8 +2,8 @@
 #include <chrono>
 #include <graze/fuzz/campaign.hpp>
 #include <graze/rounding/environment.hpp>
+#include <graze/support/threads.hpp>
 #include <mutex>
-#include <thread>
 
 namespace graze::fuzz {
 
@@ -44,7 +44,6 @@ struct shared_state {
   clock::time_point start = clock::now();
   std::atomic<std::uint64_t> next{0}; ///< rays handed out
   std::atomic<std::uint64_t> done{0};
-  std::atomic<unsigned> running{0};
   std::atomic<bool> found{false}; ///< what ends a campaign that runs until a finding
   std::mutex merging;
   campaign_result result;
@@ -117,7 +116,6 @@ void work(shared_state& shared) {
         keep_lower(all.first[g][k], *first[g][k]);
   if (first_miss && (!all.first_miss_seconds || *first_miss < *all.first_miss_seconds))
     all.first_miss_seconds = first_miss;
-  --shared.running;
 }
 
 } // namespace
@@ -227,21 +225,12 @@ campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>&
   shared_state shared(plan, stop);
   shared.result.by_generator.resize(plan.generators.size());
   shared.result.first.resize(plan.generators.size());
-  const unsigned threads = std::max(1u, plan.threads);
-  shared.running = threads;
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < threads; ++i)
-      workers.emplace_back(work, std::ref(shared));
-    double shown = 0;
-    while (shared.running.load() != 0) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      if (const double now = since(shared.start); progress && now - shown >= 0.1) {
-        progress(shared.done.load(), now);
-        shown = now;
-      }
-    }
-  }
+  support::thread_group workers(
+      plan.threads, [&shared] { work(shared); }, [&shared] { shared.found = true; });
+  while (!workers.wait_for(std::chrono::milliseconds(100)))
+    if (progress)
+      progress(shared.done.load(), since(shared.start));
+  workers.join();
   campaign_result result = std::move(shared.result);
   result.seconds = since(shared.start);
   result.interrupted = stop.load();

@@ -1,19 +1,21 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/fuzz/campaign_command.hpp>
 #include <graze/fuzz/lasting_campaign.hpp>
+#include <graze/support/files.hpp>
+#include <graze/support/program.hpp>
+#include <graze/support/progress.hpp>
+#include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
-#include <thread>
-#include <unistd.h>
 
 #include "command_options.hpp"
-#include "program.hpp"
 
 namespace graze::fuzz {
+
+using namespace support;
 
 struct campaign_options {
   CLI::App* campaign = nullptr;
@@ -23,7 +25,7 @@ struct campaign_options {
   std::string folder;
   std::vector<std::string> generators;
   std::string shard = "1/1";
-  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  unsigned threads = default_threads();
   bool json = false;
   bool progress = false;
 
@@ -34,7 +36,6 @@ struct campaign_options {
 namespace {
 
 using json = nlohmann::ordered_json;
-using clock = std::chrono::steady_clock;
 
 /// "i/N", 1 <= i <= N.
 bool read_shard(std::string_view text, stored_plan& plan) {
@@ -68,24 +69,6 @@ std::vector<std::string> given_members(const CLI::App& campaign) {
   return given;
 }
 
-/// Rays a second of this start, and how long the budget still lasts.
-std::string progress_of(const campaign_store& store, std::uint64_t rays_before,
-                        double seconds_before) {
-  const stored_plan& plan = store.plan();
-  const std::uint64_t rays = store.state().total().rays;
-  const double elapsed = store.state().elapsed;
-  const double rate =
-      static_cast<double>(rays - rays_before) / std::max(elapsed - seconds_before, 1e-3);
-  std::optional<double> left;
-  if (plan.rays != 0)
-    left = static_cast<double>(plan.shard_rays() - rays) / std::max(rate, 1e-3);
-  if (plan.seconds != 0)
-    left = std::min(left.value_or(plan.seconds), std::max(plan.seconds - elapsed, 0.0));
-  return fmt::format("{} rays, {:.0f} rays/s, {} findings{}", rays, rate,
-                     store.state().findings.size(),
-                     left ? fmt::format(", {:.0f} s left", *left) : std::string());
-}
-
 /// Tells what `folders` hold together, and writes the page.
 int tell(const std::vector<std::string>& folders, const std::string& page, bool as_json) {
   const auto merged = merge_campaigns(folders);
@@ -94,26 +77,28 @@ int tell(const std::vector<std::string>& folders, const std::string& page, bool 
   const auto plan = resolve(merged->plan);
   if (!plan)
     return bad_input(plan.reason());
+  if (merged->lost != 0)
+    complain(fmt::format("{} of {} findings have lost their file in findings/", merged->lost,
+                         merged->state.findings.size()));
   const std::string page_folder = std::filesystem::path(page).parent_path();
-  if (std::string why =
-          write_atomically(page, to_html(*merged, *plan, page_folder.empty() ? "." : page_folder));
-      !why.empty())
-    return bad_input(std::move(why));
+  const std::string text = to_html(*merged, *plan, page_folder.empty() ? "." : page_folder);
+  if (const status written = write_atomically(page, text); !written)
+    return bad_input(written.reason());
   if (as_json) {
     auto line = json::parse(to_json(*merged, *plan));
     line["event"] = "end";
     line["page"] = page;
-    fmt::print("{}\n", line.dump());
+    print("{}\n", json_line(line));
   } else {
-    fmt::print("{}page: {}\n", to_text(*merged, *plan), page);
+    print("{}page: {}\n", to_text(*merged, *plan), shown(page, 1000));
   }
-  return merged->state.findings.empty() ? 0 : 1;
+  return merged->state.findings.empty() ? done : found;
 }
 
 int campaign(campaign_options& options) {
   if (!read_shard(options.shard, options.plan))
     return bad_input(fmt::format("shard {} is not i/N with 1 <= i <= N", options.shard));
-  if (options.threads < 1 || options.threads > 1024)
+  if (options.threads < 1 || options.threads > most_threads)
     return bad_input("--threads is outside 1..1024");
   for (const std::string& name : options.generators) {
     if (name != "all") {
@@ -131,6 +116,8 @@ int campaign(campaign_options& options) {
     auto external = external_of(options.command);
     if (!external)
       return bad_input(external.reason());
+    if (utf8(external->command) != external->command)
+      return bad_input("the command is not UTF-8, in which plan.json would hold it");
     options.plan.traversal = external->command;
     options.plan.external = *external;
     if (started = external_traversal(*external); !started)
@@ -156,24 +143,22 @@ int campaign(campaign_options& options) {
   const std::uint64_t rays_before = store->state().total().rays;
   const double seconds_before = store->state().elapsed;
   if (options.json)
-    fmt::print("{}\n", json{{"event", "start"},
-                            {"traversal", stored.traversal},
-                            {"level", stored.level},
-                            {"seed", stored.seed},
-                            {"shard", stored.shard},
-                            {"shards", stored.shards},
-                            {"rays_done", rays_before},
-                            {"rays_planned", stored.rays == 0 ? json() : json(stored.shard_rays())}}
-                           .dump());
+    print("{}\n",
+          json_line(json{{"event", "start"},
+                         {"traversal", stored.traversal},
+                         {"level", stored.level},
+                         {"seed", stored.seed},
+                         {"shard", stored.shard},
+                         {"shards", stored.shards},
+                         {"rays_done", rays_before},
+                         {"rays_planned", stored.rays == 0 ? json() : json(stored.shard_rays())}}));
   else
-    fmt::print("{}: {} at level {}, seed {}, shard {}/{}{}\n", store->folder(), stored.traversal,
-               stored.level, stored.seed, stored.shard, stored.shards,
-               store->resumed() ? fmt::format(", goes on after {} rays", rays_before)
-                                : std::string());
-  std::fflush(stdout);
+    print("{}: {} at level {}, seed {}, shard {}/{}{}\n", shown(store->folder(), 1000),
+          shown(stored.traversal), stored.level, stored.seed, stored.shard, stored.shards,
+          store->resumed() ? fmt::format(", goes on after {} rays", rays_before) : std::string());
+  flush_output();
 
-  const bool progress = options.progress || isatty(STDERR_FILENO) != 0;
-  clock::time_point shown{};
+  progress_line progress("rays", options.progress);
   campaign_listener listener;
   listener.piece = [&](const finished_piece& p) {
     if (options.json) {
@@ -181,14 +166,14 @@ int campaign(campaign_options& options) {
       line.erase("counts");
       line["event"] = "piece";
       line["rays_done"] = store->state().total().rays;
-      fmt::print("{}\n", line.dump());
-      std::fflush(stdout);
+      print("{}\n", json_line(line));
+      flush_output();
     }
-    if (progress && clock::now() - shown >= std::chrono::milliseconds(100)) {
-      shown = clock::now();
-      fmt::print(stderr, "\r{} \x1b[K", progress_of(*store, rays_before, seconds_before));
-      std::fflush(stderr);
-    }
+    const campaign_state& state = store->state();
+    if (progress.is_shown())
+      progress.show({state.total().rays, stored.shard_rays(), state.elapsed, stored.seconds,
+                     rays_before, seconds_before},
+                    {}, fmt::format("  {} findings", state.findings.size()));
   };
   if (options.json)
     listener.new_finding = [](const sighting& s, const finding_file& f) {
@@ -196,15 +181,15 @@ int campaign(campaign_options& options) {
       line["event"] = "finding";
       line["hash"] = s.hash;
       line["ray"] = s.ray;
-      fmt::print("{}\n", line.dump());
+      print("{}\n", json_line(line));
     };
-  std::string failure = run_lasting(*store, *plan, options.threads, interrupted, listener);
-  if (progress)
-    fmt::print(stderr, "\r\x1b[K");
-  if (!failure.empty())
-    return bad_input(std::move(failure));
-  if (interrupted.load() && !options.json)
-    fmt::print("interrupted; goes on with: graze-fuzz campaign {}\n", store->folder());
+  const status ran = run_lasting(*store, *plan, options.threads, stop_wanted, listener);
+  end_is_orderly();
+  progress.clear();
+  if (!ran)
+    return bad_input(ran.reason());
+  if (interrupted() && !options.json)
+    print("interrupted; goes on with: graze-fuzz campaign {}\n", shown(store->folder(), 1000));
   return tell({store->folder()}, store->folder() + "/summary.html", options.json);
 }
 
@@ -235,15 +220,15 @@ Exit code: 0 nothing found, 1 a finding, 2 bad input or a folder that cannot be 
   c->add_option("--search", o.plan.search, "generators, or climb: see graze-fuzz run --help")
       ->capture_default_str();
   c->add_option("--seed", o.plan.seed, "Ray k of a seed is always the same ray")
-      ->check(not_negative())
+      ->check(whole_number())
       ->capture_default_str();
   c->add_option("--rays", o.plan.rays, "Budget of rays, all shards together (default: no limit)")
-      ->check(not_negative());
+      ->check(whole_number());
   c->add_option("--seconds", o.plan.seconds,
                 "Budget of time, all starts together (default: no limit)");
   c->add_option("--shard", o.shard, "i/N: every N-th piece, from the i-th on");
   c->add_option("--piece", o.plan.piece, "Rays of a piece: what a kill can cost a thread")
-      ->check(not_negative())
+      ->check(whole_number())
       ->capture_default_str();
   c->add_option("--threads", o.threads, "Threads")->capture_default_str();
   c->add_flag("--json", o.json, "Print JSON lines: start, piece, finding, end");

@@ -2,69 +2,31 @@
 #include <bit>
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid.hpp>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <graze/fuzz/campaign_store.hpp>
 #include <graze/fuzz/libraries.hpp>
 #include <graze/fuzz/replay.hpp>
+#include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
-#include <sys/stat.h>
-#include <unistd.h>
-#include <utility>
 
 namespace graze::fuzz {
+
+using support::status;
 
 namespace {
 
 using json = nlohmann::ordered_json;
+/// What is read: its keys are looked up by a tree, so that many of them take no time.
+using read_json = nlohmann::json;
+constexpr std::uint64_t largest_plan = 1 << 20;
+constexpr std::size_t longest_line = 1 << 20; ///< of progress.jsonl
 namespace files = std::filesystem;
 
 /// The counts of a generator as they stand in the struct, so that a new one is not forgotten here.
 using count_row = std::array<std::uint64_t, sizeof(counts) / sizeof(std::uint64_t)>;
-
-std::string failed(const char* what, const std::string& path) {
-  return fmt::format("cannot {} {}: {}", what, path, std::strerror(errno));
-}
-
-/// A descriptor that is closed at the end of its life.
-class descriptor {
-public:
-  explicit descriptor(int fd) : fd_(fd) {}
-  ~descriptor() {
-    if (fd_ >= 0)
-      close(fd_);
-  }
-  descriptor(const descriptor&) = delete;
-  descriptor& operator=(const descriptor&) = delete;
-  [[nodiscard]] int get() const { return fd_; }
-
-private:
-  int fd_;
-};
-
-bool write_all(int fd, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t n = write(fd, text.data(), text.size());
-    if (n < 0 && errno != EINTR)
-      return false;
-    if (n > 0)
-      text.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
-
-/// Makes the names in a folder last.
-bool sync_folder(const std::string& folder) {
-  const descriptor d(
-      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  return d.get() >= 0 && fsync(d.get()) == 0;
-}
 
 json to_json(const std::optional<external_options>& e) {
   return e ? json{{"promise", e->promised ? json(name_of(*e->promised)) : json()},
@@ -90,10 +52,10 @@ json to_json(const stored_plan& p) {
 }
 
 /// Throws what is wrong with it.
-external_options read_external(const json& object, std::string command) {
+external_options read_external(const read_json& object, std::string command) {
   external_options e;
   e.command = std::move(command);
-  if (const json& promised = object.at("promise"); !promised.is_null()) {
+  if (const read_json& promised = object.at("promise"); !promised.is_null()) {
     e.promised = promise_of(promised.get<std::string>());
     if (!e.promised)
       throw std::invalid_argument("there is no such promise");
@@ -104,36 +66,37 @@ external_options read_external(const json& object, std::string command) {
   return e;
 }
 
-expected<stored_plan> read_plan(const std::string& path) {
-  std::ifstream file(path);
-  const json object = json::parse(file, nullptr, false);
-  if (!object.is_object() || object.value("graze_campaign", json()) != 1)
-    return unexpected{fmt::format("{} is not the plan of a campaign", path)};
+/// Throws what is wrong with it.
+stored_plan read_plan_members(const read_json& object) {
   stored_plan p;
   const auto number = [&object](const char* key) {
     if (!object.at(key).is_number_unsigned())
       throw std::invalid_argument(fmt::format("\"{}\" is not a number, 0 or more", key));
     return object.at(key).get<std::uint64_t>();
   };
-  try {
-    p.traversal = object.at("traversal").get<std::string>();
-    if (const json external = object.value("external", json()); !external.is_null())
-      p.external = read_external(external, p.traversal);
-    p.generators = object.at("generators").get<std::vector<std::string>>();
-    p.search = object.value("search", p.search);
-    p.level = object.at("level").get<std::string>();
-    p.seed = number("seed");
-    p.rays = number("rays");
-    p.seconds = object.at("seconds").get<double>();
-    p.piece = number("piece");
-    p.shard = number("shard");
-    p.shards = number("shards");
-  } catch (const std::exception& e) {
-    return unexpected{fmt::format("{}: {}", path, e.what())};
-  }
-  if (const auto plan = resolve(p); !plan)
-    return unexpected{fmt::format("{}: {}", path, plan.reason())};
+  p.traversal = object.at("traversal").get<std::string>();
+  if (const read_json external = object.value("external", read_json()); !external.is_null())
+    p.external = read_external(external, p.traversal);
+  p.generators = object.at("generators").get<std::vector<std::string>>();
+  p.search = object.value("search", p.search);
+  p.level = object.at("level").get<std::string>();
+  p.seed = number("seed");
+  p.rays = number("rays");
+  p.seconds = object.at("seconds").get<double>();
+  p.piece = number("piece");
+  p.shard = number("shard");
+  p.shards = number("shards");
   return p;
+}
+
+expected<stored_plan> read_plan(const std::string& path) {
+  const auto text = support::read_file(path, largest_plan);
+  if (!text)
+    return unexpected{text.reason()};
+  auto plan = plan_from(*text);
+  if (!plan)
+    return unexpected{fmt::format("{}: {}", path, plan.reason())};
+  return plan;
 }
 
 std::optional<finding> finding_of(std::string_view name) {
@@ -144,12 +107,14 @@ std::optional<finding> finding_of(std::string_view name) {
 }
 
 /// A line of progress of this plan; throws what is wrong with it.
-finished_piece read_piece(const std::string& text, const stored_plan& plan) {
-  const json line = json::parse(text);
+finished_piece read_piece(std::string_view text, const stored_plan& plan) {
+  const read_json line = read_json::parse(text);
   const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
   finished_piece p;
   p.number = line.at("piece").get<std::uint64_t>();
   p.elapsed = line.at("elapsed").get<double>();
+  if (!(p.elapsed >= 0))
+    refuse("its time is negative");
   if (p.number % plan.shards != plan.shard - 1 || (plan.rays != 0 && p.number >= plan.pieces()))
     refuse(fmt::format("piece {} is not of this plan", p.number));
   std::uint64_t rays = 0;
@@ -163,49 +128,88 @@ finished_piece read_piece(const std::string& text, const stored_plan& plan) {
   }
   if (p.by_generator.size() != plan.generators.size() || rays != plan.rays_of(p.number))
     refuse("its counts are not of this plan");
-  for (const json& of : line.at("findings")) {
+  for (const read_json& of : line.at("findings")) {
     const auto kind = finding_of(of.at("kind").get<std::string>());
     if (!kind)
       refuse("it has a finding of another version of graze-fuzz");
-    p.findings.push_back(
-        {of.at("hash").get<std::string>(), *kind, of.at("ray").get<std::uint64_t>()});
+    auto hash = of.at("hash").get<std::string>();
+    if (!support::is_content_hash(hash)) // it is a file's name, and stands in the page
+      refuse("the hash of a finding is not 32 hex digits");
+    p.findings.push_back({std::move(hash), *kind, of.at("ray").get<std::uint64_t>()});
   }
   return p;
 }
 
-/// Adds all whole lines; `whole` becomes their length in bytes. Empty, or what is wrong.
-std::string read_progress(const std::string& path, const stored_plan& plan, campaign_state& state,
-                          std::uint64_t& whole) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text;
+/// Adds all whole lines; `whole` becomes their length in bytes.
+status read_progress(const std::string& path, const stored_plan& plan, campaign_state& state,
+                     std::uint64_t& whole) {
   whole = 0;
-  if (!file && files::exists(path))
-    return failed("read", path);
-  for (std::size_t number = 1; std::getline(file, text) && !file.eof(); ++number) {
+  if (!support::is_there(path))
+    return {};
+  auto file = support::input_file::open(path);
+  if (!file)
+    return unexpected{file.reason()};
+  std::string text;
+  for (;;) {
+    const auto read = file->read_line(text, longest_line);
+    if (!read)
+      return unexpected{read.reason()};
+    if (!*read || !file->line_was_whole())
+      return {};
     whole += text.size() + 1;
-    try {
-      state.add(read_piece(text, plan));
-    } catch (const json::parse_error&) {
-      return fmt::format("{}:{}: not JSON", path, number);
-    } catch (const std::exception& e) {
-      return fmt::format("{}:{}: {}", path, number, e.what());
-    }
+    const auto piece = piece_from(text, plan);
+    if (!piece)
+      return unexpected{fmt::format("{}:{}: {}", path, file->line_number(), piece.reason())};
+    state.add(*piece);
   }
-  return file.bad() ? failed("read", path) : std::string();
 }
 
-/// Why nothing can be started here: another's files are in it.
-std::string refusal_of_folder(const std::string& folder) {
+/// Nothing can be started where another's files are.
+status check_new_folder(const std::string& folder) {
   std::error_code error;
-  for (const auto& entry : files::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename();
-    if (name != "lock" && name != "findings" && name != "plan.json.part")
-      return fmt::format("{} has no plan.json and is not empty", folder);
+  files::directory_iterator entry(folder, error);
+  for (const files::directory_iterator end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename();
+    if (name != "lock" && name != "findings" && !name.starts_with(support::part_prefix))
+      return unexpected{fmt::format("{} has no plan.json and is not empty", folder)};
   }
-  return error ? fmt::format("cannot read {}: {}", folder, error.message()) : std::string();
+  return error ? status(support::failed("read", folder, error.value())) : status();
+}
+
+/// Those of a start that was killed.
+void remove_parts(const std::string& folder) {
+  std::error_code ignored;
+  files::directory_iterator entry(folder, ignored);
+  for (const files::directory_iterator end; !ignored && entry != end; entry.increment(ignored))
+    if (entry->path().filename().string().starts_with(support::part_prefix))
+      files::remove(entry->path(), ignored);
 }
 
 } // namespace
+
+expected<stored_plan> plan_from(std::string_view text) {
+  const read_json object = read_json::parse(text, nullptr, false);
+  if (!object.is_object() || object.value("graze_campaign", read_json()) != 1)
+    return unexpected{"this is not the plan of a campaign"};
+  try {
+    stored_plan p = read_plan_members(object);
+    if (const auto plan = resolve(p); !plan)
+      return unexpected{plan.reason()};
+    return p;
+  } catch (const std::exception& e) {
+    return unexpected{e.what()};
+  }
+}
+
+expected<finished_piece> piece_from(std::string_view line, const stored_plan& plan) {
+  try {
+    return read_piece(line, plan);
+  } catch (const read_json::parse_error&) {
+    return unexpected{"not JSON"};
+  } catch (const std::exception& e) {
+    return unexpected{e.what()};
+  }
+}
 
 std::uint64_t stored_plan::rays_of(std::uint64_t number) const {
   return rays == 0 ? piece : std::min(piece, rays - number * piece);
@@ -322,39 +326,22 @@ finding_file file_of(finding kind, std::string_view traversal, const trial& shru
   return {content_hash(text), text};
 }
 
-std::string write_atomically(const std::string& path, std::string_view content) {
-  const std::string part = path + ".part";
-  {
-    const descriptor d(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (d.get() < 0)
-      return failed("write", path);
-    if (!write_all(d.get(), content) || fsync(d.get()) != 0) {
-      const std::string why = failed("write", path);
-      unlink(part.c_str());
-      return why;
-    }
-  }
-  if (std::rename(part.c_str(), path.c_str()) != 0) {
-    const std::string why = failed("write", path);
-    unlink(part.c_str());
-    return why;
-  }
-  return sync_folder(files::path(path).parent_path()) ? std::string() : failed("sync", path);
-}
-
 expected<stored_plan> read_campaign(const std::string& folder, campaign_state& state) {
   const std::string path = folder + "/plan.json";
-  if (!files::exists(path))
+  if (!support::is_there(path))
     return unexpected{
         fmt::format("{} is not the folder of a campaign: it has no plan.json", folder)};
   auto plan = read_plan(path);
   if (!plan)
     return plan;
   std::uint64_t whole = 0;
-  if (std::string why = read_progress(folder + "/progress.jsonl", *plan, state, whole);
-      !why.empty())
-    return unexpected{std::move(why)};
+  if (const status read = read_progress(folder + "/progress.jsonl", *plan, state, whole); !read)
+    return unexpected{read.reason()};
   return plan;
+}
+
+std::string finding_path(const std::string& folder, const std::string& hash) {
+  return fmt::format("{}/findings/{}.json", folder, hash);
 }
 
 std::string difference(const stored_plan& there, const stored_plan& wanted,
@@ -374,17 +361,6 @@ const std::vector<std::string>& common_members() {
   return members;
 }
 
-campaign_store::campaign_store(campaign_store&& other) noexcept
-    : folder_(std::move(other.folder_)), plan_(std::move(other.plan_)),
-      state_(std::move(other.state_)), lock_(std::exchange(other.lock_, -1)),
-      progress_(std::exchange(other.progress_, -1)), resumed_(other.resumed_) {}
-
-campaign_store::~campaign_store() {
-  for (const int fd : {progress_, lock_})
-    if (fd >= 0)
-      close(fd);
-}
-
 expected<campaign_store> campaign_store::open(const std::string& folder, stored_plan plan,
                                               const std::vector<std::string>& given) {
   campaign_store store;
@@ -393,32 +369,25 @@ expected<campaign_store> campaign_store::open(const std::string& folder, stored_
     for (const generator& g : generators())
       plan.generators.emplace_back(g.name);
   const std::string plan_path = folder + "/plan.json", progress_path = folder + "/progress.jsonl";
-  const bool is_new = !files::exists(plan_path);
+  const bool is_new = !support::is_there(plan_path);
   if (is_new) {
     if (const auto resolved = resolve(plan); !resolved)
       return unexpected{resolved.reason()};
-    if (mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST)
-      return unexpected{failed("make", folder)};
-    if (std::string why = refusal_of_folder(folder); !why.empty())
-      return unexpected{std::move(why)};
+    if (const status made = support::make_folder(folder); !made)
+      return unexpected{made.reason()};
+    if (const status may = check_new_folder(folder); !may)
+      return unexpected{may.reason()};
   }
-  // a record lock: it ends with the process, however that ends, and a child does not inherit it
-  const std::string lock_path = folder + "/lock";
-  store.lock_ = ::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (store.lock_ < 0)
-    return unexpected{failed("write", lock_path)};
-  struct flock whole_file{};
-  whole_file.l_type = F_WRLCK;
-  whole_file.l_whence = SEEK_SET;
-  if (fcntl(store.lock_, F_SETLK, &whole_file) != 0)
-    return unexpected{errno == EACCES || errno == EAGAIN
-                          ? fmt::format("{} is in use by another graze-fuzz", folder)
-                          : failed("lock", lock_path)};
+  auto lock = support::lock_file(folder + "/lock",
+                                 fmt::format("{} is in use by another graze-fuzz", folder));
+  if (!lock)
+    return unexpected{lock.reason()};
+  store.lock_ = *std::move(lock);
 
-  if (!files::exists(plan_path)) {
-    if (std::string why = write_atomically(plan_path, to_json(plan).dump(2) + "\n"); !why.empty())
-      return unexpected{std::move(why)};
-  }
+  if (!support::is_there(plan_path))
+    if (const status written = support::write_atomically(plan_path, to_json(plan).dump(2) + "\n");
+        !written)
+      return unexpected{written.reason()};
   auto there = read_plan(plan_path);
   if (!there)
     return unexpected{there.reason()};
@@ -428,35 +397,32 @@ expected<campaign_store> campaign_store::open(const std::string& folder, stored_
   store.state_.by_generator.resize(store.plan().generators.size());
 
   const std::string findings = folder + "/findings";
-  if (mkdir(findings.c_str(), 0777) != 0 && errno != EEXIST)
-    return unexpected{failed("make", findings)};
-  std::error_code ignored;
-  for (const auto& entry : files::directory_iterator(findings, ignored))
-    if (entry.path().extension() == ".part") // of a start that was killed
-      files::remove(entry.path(), ignored);
+  if (const status made = support::make_folder(findings); !made)
+    return unexpected{made.reason()};
+  for (const std::string& f : {folder, findings})
+    remove_parts(f);
 
   std::uint64_t whole = 0;
-  if (std::string why = read_progress(progress_path, store.plan(), store.state_, whole);
-      !why.empty())
-    return unexpected{std::move(why)};
-  store.progress_ = ::open(progress_path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (const status read = read_progress(progress_path, store.plan(), store.state_, whole); !read)
+    return unexpected{read.reason()};
   // a line that was cut off must not become the beginning of the next
-  if (store.progress_ < 0 || ftruncate(store.progress_, static_cast<off_t>(whole)) != 0 ||
-      fsync(store.progress_) != 0 || !sync_folder(folder))
-    return unexpected{failed("write", progress_path)};
+  auto progress = support::append_file::open(progress_path, whole);
+  if (!progress)
+    return unexpected{progress.reason()};
+  store.progress_.emplace(*std::move(progress));
   store.resumed_ = !store.state().finished.empty();
   return store;
 }
 
-std::string campaign_store::keep(const finding_file& f) const {
-  const std::string path = fmt::format("{}/findings/{}.json", folder_, f.hash);
+status campaign_store::keep(const finding_file& f) const {
+  const std::string path = finding_path(folder_, f.hash);
   // the name tells the content, and a file of that name is whole
-  return files::exists(path) ? std::string() : write_atomically(path, f.line + "\n");
+  return support::is_there(path) ? status() : support::write_atomically(path, f.line + "\n");
 }
 
-std::string campaign_store::append(const finished_piece& p) {
-  if (!write_all(progress_, to_json_line(p) + "\n") || fsync(progress_) != 0)
-    return failed("write", folder_ + "/progress.jsonl");
+status campaign_store::append(const finished_piece& p) {
+  if (status written = progress_->append(to_json_line(p) + "\n"); !written)
+    return written;
   state_.add(p);
   return {};
 }

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <graze/fuzz/lasting_campaign.hpp>
 #include <graze/fuzz/report.hpp>
+#include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -36,7 +36,7 @@ sorted_findings(const merged_campaign& m) {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : support::utf8(text)) {
     if (c == '&')
       out += "&amp;";
     else if (c == '<')
@@ -63,11 +63,14 @@ std::string address(const std::string& path) {
   return out;
 }
 
-std::string first_line(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  return line;
+/// What is in a finding's file; a link would show what is elsewhere.
+std::string text_of_finding(const std::string& path) {
+  constexpr std::uint64_t most = 1 << 16;
+  std::error_code error;
+  if (std::filesystem::is_symlink(path, error))
+    return "(a link, not followed)";
+  const auto text = support::read_file(path, most);
+  return text ? support::shown(text->substr(0, text->find('\n')), most) : "(" + text.reason() + ")";
 }
 
 std::string row(std::string_view name, const counts& c) {
@@ -107,9 +110,14 @@ expected<merged_campaign> merge_campaigns(const std::vector<std::string>& folder
     m.state.by_generator.resize(m.plan.generators.size());
     elapsed += m.state.elapsed;
     for (const auto& [hash, ignored] : m.state.findings)
-      m.files.try_emplace(hash, fmt::format("{}/findings/{}.json", folder, hash));
+      if (std::string& file = m.files[hash]; file.empty() || !support::is_there(file))
+        file = finding_path(folder, hash);
   }
   m.state.elapsed = elapsed;
+  m.lost =
+      static_cast<std::size_t>(std::count_if(m.files.begin(), m.files.end(), [](const auto& file) {
+        return !support::is_there(file.second);
+      }));
   return m;
 }
 
@@ -145,7 +153,7 @@ std::string to_json(const merged_campaign& m, const campaign_plan& plan) {
                                   {"ray", known.ray},
                                   {"pieces", known.pieces},
                                   {"file", m.files.at(hash)}});
-  return object.dump();
+  return support::json_line(object);
 }
 
 std::string to_html(const merged_campaign& m, const campaign_plan& plan,
@@ -177,11 +185,12 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
       const std::string& file = m.files.at(hash);
       std::error_code error;
       const auto link = std::filesystem::relative(file, page_folder, error);
-      page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-                          "<td><a href=\"{}\">{}</a><br><code>{}</code></td></tr>\n",
-                          name_of(known.kind), known.ray,
-                          plan.generators[generator_of(plan, known.ray)]->name, known.pieces,
-                          address(error ? file : link.string()), hash, escaped(first_line(file)));
+      page +=
+          fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+                      "<td><a href=\"{}\">{}</a><br><code>{}</code></td></tr>\n",
+                      name_of(known.kind), known.ray,
+                      plan.generators[generator_of(plan, known.ray)]->name, known.pieces,
+                      address(error ? file : link.string()), hash, escaped(text_of_finding(file)));
     }
     page += "</table>\n";
   }

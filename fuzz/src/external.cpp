@@ -97,7 +97,7 @@ private:
     return text.size() > 80 ? result + "..." : result;
   }
 
-  /// A process that listens; the fault when there is none.
+  /// A process that listens; the fault of the one that was there. Throws cannot_ask.
   fault ready() {
     fault before = fault::none;
     if (process_.ours()) {
@@ -113,7 +113,8 @@ private:
         before = fault::malformed;
     }
     fresh_ = true;
-    return process_.start() ? before : fault::crash;
+    process_.start();
+    return before;
   }
 
   /// Appends the request for t. False, and declined, when it cannot be sent.
@@ -170,6 +171,7 @@ private:
     case fault::not_a_number:      // an answer of one line, as it should be
       if (process_.unread_now()) { // but it says more
         process_.stop();
+        out.clear(); // also where it has declined
         out.fail(fault::malformed);
       }
       break;

@@ -1,5 +1,6 @@
 /// Traversals that throw: what they throw is their answer.
 #include <exception>
+#include <graze/fuzz/peer_process.hpp>
 #include <graze/fuzz/traversal.hpp>
 
 namespace graze::fuzz {
@@ -21,6 +22,8 @@ template <class F> bool guard(visited& out, const F& f) {
   try {
     f();
     return true;
+  } catch (const cannot_ask&) { // no fault of the traversal
+    throw;
   } catch (const std::exception& e) {
     what = printable(e.what());
   } catch (...) {

@@ -1,11 +1,13 @@
 #include <chrono>
 #include <graze/fuzz/lasting_campaign.hpp>
 #include <graze/fuzz/shrink.hpp>
+#include <graze/support/threads.hpp>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 namespace graze::fuzz {
+
+using support::status;
 
 namespace {
 
@@ -40,7 +42,8 @@ struct shared_work {
   double elapsed_before;
   clock::time_point start = clock::now();
   std::mutex one_at_a_time{};
-  std::string failure{};
+  status ran{};
+  std::atomic<bool> failed{false}; ///< a thread has thrown
 
   [[nodiscard]] double elapsed() const {
     return elapsed_before + std::chrono::duration<double>(clock::now() - start).count();
@@ -48,19 +51,17 @@ struct shared_work {
 };
 
 /// Writes the piece, and tells; under the lock.
-std::string keep(shared_work& work, checked_piece& checked) {
+status keep(shared_work& work, checked_piece& checked) {
   for (std::size_t i = 0; i < checked.files.size(); ++i) {
     const finding_file& f = checked.files[i];
-    if (work.store.state().findings.contains(f.hash))
-      continue;
-    if (std::string why = work.store.keep(f); !why.empty())
-      return why;
-    if (work.tell.new_finding)
+    if (status kept = work.store.keep(f); !kept)
+      return kept;
+    if (work.tell.new_finding && !work.store.state().findings.contains(f.hash))
       work.tell.new_finding(checked.piece.findings[i], f);
   }
   checked.piece.elapsed = work.elapsed();
-  if (std::string why = work.store.append(checked.piece); !why.empty())
-    return why;
+  if (status kept = work.store.append(checked.piece); !kept)
+    return kept;
   if (work.tell.piece)
     work.tell.piece(checked.piece);
   return {};
@@ -73,7 +74,7 @@ void work_on_pieces(shared_work& work) {
     {
       const std::lock_guard lock(work.one_at_a_time);
       // the recorded time decides, not the clock: a later start then agrees that the budget is used
-      if (work.stop.load() || !work.failure.empty() ||
+      if (work.stop.load() || work.failed.load() || !work.ran ||
           (stored.seconds != 0 && work.store.state().elapsed >= stored.seconds))
         return;
       number = work.open.take();
@@ -84,8 +85,8 @@ void work_on_pieces(shared_work& work) {
     if (!checked)
       return;
     const std::lock_guard lock(work.one_at_a_time);
-    if (work.failure.empty())
-      work.failure = keep(work, *checked);
+    if (work.ran)
+      work.ran = keep(work, *checked);
   }
 }
 
@@ -116,7 +117,10 @@ std::optional<checked_piece> check_piece(const campaign_plan& plan, const stored
       return std::nullopt;
     const auto kind = static_cast<finding>(k);
     const std::uint64_t ray = rays[mix(number) % rays.size()];
-    const trial shrunk = shrink(trial_of(plan, ray), *under_test, kind);
+    const trial shrunk =
+        shrink(trial_of(plan, ray), *under_test, kind, 30'000, usual_deadline(), &stop);
+    if (stop.load())
+      return std::nullopt;
     // one trial is one finding: what is most serious in it
     const finding_set shows = judge(shrunk, *under_test).findings;
     const finding worst_of_it = shows != 0 ? worst(shows) : kind;
@@ -132,15 +136,13 @@ std::optional<checked_piece> check_piece(const campaign_plan& plan, const stored
   return checked;
 }
 
-std::string run_lasting(campaign_store& store, const campaign_plan& plan, unsigned threads,
-                        const std::atomic<bool>& stop, const campaign_listener& tell) {
+status run_lasting(campaign_store& store, const campaign_plan& plan, unsigned threads,
+                   const std::atomic<bool>& stop, const campaign_listener& tell) {
   shared_work work{store, plan, stop, tell, open_pieces(store), store.state().elapsed};
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < std::max(1u, threads); ++i)
-      workers.emplace_back(work_on_pieces, std::ref(work));
-  }
-  return work.failure;
+  support::thread_group workers(
+      threads, [&work] { work_on_pieces(work); }, [&work] { work.failed = true; });
+  workers.join();
+  return work.ran;
 }
 
 } // namespace graze::fuzz

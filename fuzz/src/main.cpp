@@ -1,8 +1,6 @@
-/// The command line of graze-fuzz. Exit codes: 0 nothing found, 1 a finding, 2 bad input.
+/// The command line of graze-fuzz. Exit codes: 0 nothing found, 1 a finding, 2 bad input or a failure.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <graze/fuzz/campaign_command.hpp>
 #include <graze/fuzz/campaign_store.hpp>
@@ -11,16 +9,17 @@
 #include <graze/fuzz/report.hpp>
 #include <graze/fuzz/reproducer.hpp>
 #include <graze/fuzz/self_command.hpp>
-#include <graze/rounding/environment.hpp>
-#include <thread>
-#include <unistd.h>
+#include <graze/support/files.hpp>
+#include <graze/support/program.hpp>
+#include <graze/support/progress.hpp>
+#include <graze/support/text.hpp>
 
 #include "command_options.hpp"
-#include "program.hpp"
 
 namespace {
 
 using namespace graze::fuzz;
+using namespace graze::support;
 
 const char* const examples = R"(
 Examples:
@@ -32,7 +31,8 @@ Examples:
   graze-fuzz run --traversal published --reproducer out what a maintainer is handed: text, C++, SVG
   graze-fuzz list
 
-Exit code: 0 nothing found, 1 a finding, 2 bad input.)";
+Exit code: 0 nothing found, 1 a finding, 2 bad input or a failure (memory, files, output), 130 ended
+by a signal before there was a result.)";
 
 struct run_options {
   std::string traversal = "sound";
@@ -44,7 +44,7 @@ struct run_options {
   std::string search = "generators";
   bool until_finding = false;
   std::uint64_t seed = 1;
-  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  unsigned threads = default_threads();
   std::string save;
   command_options command;
   std::string reproducer; ///< a folder
@@ -60,18 +60,6 @@ struct replay_options {
   std::string reproducer; ///< a folder
   bool json = false;
 };
-
-void show_progress(const campaign_plan& plan, std::uint64_t rays, double seconds) {
-  const double rate = static_cast<double>(rays) / seconds;
-  double left = 0;
-  if (plan.rays != 0 && rate > 0)
-    left = static_cast<double>(plan.rays - rays) / rate;
-  if (plan.seconds != 0)
-    left = plan.rays != 0 ? std::min(left, plan.seconds - seconds) : plan.seconds - seconds;
-  fmt::print(stderr, "\r{} rays, {:.0f} rays/s, {:.0f} s left \x1b[K", rays, rate,
-             std::max(left, 0.0));
-  std::fflush(stderr);
-}
 
 int run(const run_options& options) {
   campaign_plan plan;
@@ -91,22 +79,18 @@ int run(const run_options& options) {
         fmt::format("level {} is outside 1..53 (a number, or a range A-B)", options.level));
   if (!std::isfinite(options.seconds) || options.seconds < 0)
     return bad_input("--seconds is not a finite number of seconds, 0 or more");
-  if (options.threads < 1 || options.threads > 1024)
+  if (options.threads < 1 || options.threads > most_threads)
     return bad_input("--threads is outside 1..1024");
-  if (!options.save.empty()) {
-    const std::filesystem::path path(options.save);
-    std::error_code error;
-    if (!std::filesystem::is_directory(path.has_parent_path() ? path.parent_path() : ".", error) ||
-        std::filesystem::is_directory(path, error))
-      return bad_input(fmt::format("cannot write {}", options.save));
-  }
+  if (!options.save.empty())
+    if (const status may = check_writable(options.save); !may)
+      return bad_input(may.reason());
   const auto entry = chosen_traversal(options.traversal, options.command, false);
   if (!entry)
     return bad_input(entry.reason());
   plan.under_test = &*entry;
   if (!options.reproducer.empty())
-    if (const std::string why = refusal_of_folder(options.reproducer); !why.empty())
-      return bad_input(why);
+    if (const status may = prepare_folder(options.reproducer); !may)
+      return bad_input(may.reason());
   plan.seed = options.seed;
   plan.threads = options.threads;
   plan.rays = options.rays;
@@ -115,32 +99,35 @@ int run(const run_options& options) {
   plan.until_finding = options.until_finding;
   plan.seconds = options.seconds == 0 && options.rays == 0 ? 5 : options.seconds;
 
-  const bool progress = options.progress || isatty(STDERR_FILENO) != 0;
   listen_for_interrupts();
+  progress_line line("rays", options.progress);
   std::function<void(std::uint64_t, double)> show;
-  if (progress)
-    show = [&plan](std::uint64_t rays, double seconds) { show_progress(plan, rays, seconds); };
-  const campaign_result result = run_campaign(plan, interrupted, show);
-  if (progress && result.worst_finding() && !options.no_shrink)
-    fmt::print(stderr, "\rshrinking what was found, for at most 10 s \x1b[K");
-  const std::optional<counterexample> found = counterexample_of(plan, result, !options.no_shrink);
-  if (progress)
-    fmt::print(stderr, "\r\x1b[K");
+  if (line.is_shown())
+    show = [&](std::uint64_t rays, double seconds) {
+      line.show({rays, plan.rays, seconds, plan.seconds});
+    };
+  const campaign_result result = run_campaign(plan, stop_wanted, show);
+  if (result.worst_finding() && !options.no_shrink)
+    line.note("shrinking what was found, for at most 10 s");
+  const std::optional<counterexample> found =
+      counterexample_of(plan, result, !options.no_shrink, &stop_wanted);
+  end_is_orderly();
+  line.clear();
   if (options.json) {
-    fmt::print("{}\n", to_json(plan, result, found));
+    print("{}\n", to_json(plan, result, found));
   } else {
-    fmt::print("{} at level {}, seed {}: {} rays in {:.2f} s, {:.0f} rays/s{}\n{}",
-               plan.under_test->name, options.level, plan.seed, result.total.rays, result.seconds,
-               static_cast<double>(result.total.rays) / result.seconds,
-               result.interrupted ? " (interrupted)" : "", table(plan, result));
+    print("{} at level {}, seed {}: {} rays in {:.2f} s, {:.0f} rays/s{}\n{}",
+          shown(plan.under_test->name), options.level, plan.seed, result.total.rays, result.seconds,
+          static_cast<double>(result.total.rays) / result.seconds,
+          result.interrupted ? " (interrupted)" : "", table(plan, result));
     if (result.first_miss_seconds)
-      fmt::print("first miss after {:.6f} s\n", *result.first_miss_seconds);
-    fmt::print("{}", found ? describe(plan, result, *found) : std::string("nothing found\n"));
+      print("first miss after {:.6f} s\n", *result.first_miss_seconds);
+    print("{}", found ? describe(plan, result, *found) : std::string("nothing found\n"));
   }
   if (found && !options.save.empty())
-    if (std::string why = write_atomically(options.save, to_json_line(found->shrunk) + '\n');
-        !why.empty())
-      return bad_input(std::move(why));
+    if (const status written = write_atomically(options.save, to_json_line(found->shrunk) + '\n');
+        !written)
+      return bad_input(written.reason());
   if (found && !options.reproducer.empty()) {
     const auto written =
         write_reproducer(reproduction_of(found->shrunk, *plan.under_test->guarded(), found->kind,
@@ -149,9 +136,9 @@ int run(const run_options& options) {
     if (!written)
       return bad_input(written.reason());
     if (!options.json)
-      fmt::print("reproducer: {}.json .txt .cpp .svg\n", *written);
+      print("reproducer: {}.json .txt .cpp .svg\n", *written);
   }
-  return found ? 1 : 0;
+  return found ? exit_code::found : done;
 }
 
 std::string yes(bool b) { return b ? "yes" : "no"; }
@@ -164,15 +151,18 @@ int replay_file(const replay_options& options) {
   if (!entry)
     return bad_input(entry.reason());
   if (!options.reproducer.empty())
-    if (const std::string why = refusal_of_folder(options.reproducer); !why.empty())
-      return bad_input(why);
+    if (const status may = prepare_folder(options.reproducer); !may)
+      return bad_input(may.reason());
+  listen_for_interrupts();
   const auto under_test = entry->guarded();
   bool any = false;
   for (const replay_case& c : *cases) {
+    if (stop_wanted)
+      return interrupted() ? ended_by_signal : refused;
     const replay_result r = replay(c.at, *under_test);
     any = any || r.findings != 0 || !r.oracles_agree;
     if (!r.oracles_agree)
-      fmt::print(stderr, "graze-fuzz: line {}: the two oracles disagree: a bug of graze\n", c.line);
+      complain(fmt::format("line {}: the two oracles disagree: a bug of graze", c.line));
     std::string written;
     if (r.findings != 0 && !options.reproducer.empty()) {
       const auto path = write_reproducer(c.at, *under_test, worst(r.findings), entry->asked_for(),
@@ -182,7 +172,7 @@ int replay_file(const replay_options& options) {
       written = fmt::format("; reproducer: {}.json .txt .cpp .svg", *path);
     }
     if (options.json) {
-      fmt::print("{}\n", to_json_line(c, r, entry->name));
+      print("{}\n", to_json_line(c, r, entry->name));
       continue;
     }
     std::string findings;
@@ -190,41 +180,37 @@ int replay_file(const replay_options& options) {
       if ((r.findings >> k & 1) != 0)
         findings += fmt::format(" {}", name_of(static_cast<finding>(k)));
     if (r.declined) {
-      fmt::print("line {}: declined by {}, not judged\n", c.line, entry->name);
+      print("line {}: declined by {}, not judged\n", c.line, shown(entry->name));
       continue;
     }
     if (!r.thrown.empty())
       findings += fmt::format(" ({})", r.thrown);
-    fmt::print("line {}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}{}\n", c.line,
-               yes(r.touches != 0), yes(r.crosses != 0), yes(r.owns != 0), entry->name,
-               yes(r.visited != 0), findings.empty() ? " none" : findings, written);
+    print("line {}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}{}\n", c.line,
+          yes(r.touches != 0), yes(r.crosses != 0), yes(r.owns != 0), shown(entry->name),
+          yes(r.visited != 0), findings.empty() ? " none" : findings, written);
   }
-  return any ? 1 : 0;
+  return any ? found : done;
 }
 
 int list() {
-  fmt::print("traversals\n");
+  print("traversals\n");
   for (const traversal_entry& e : traversals())
-    fmt::print("  {:<31} {}\n", e.name, e.summary);
-  fmt::print("traversals of others\n");
+    print("  {:<31} {}\n", e.name, e.summary);
+  print("traversals of others\n");
   const std::vector<traversal_entry> libraries = library_traversals();
   for (const auto* entries : {&adapters(), &linked_traversals(), &libraries})
     for (const traversal_entry& e : *entries)
-      fmt::print("  {:<31} {}\n", e.name, e.summary);
-  fmt::print("traversals that are wrong on purpose\n");
+      print("  {:<31} {}\n", e.name, e.summary);
+  print("traversals that are wrong on purpose\n");
   for (const traversal_entry& e : mutants())
-    fmt::print("  {:<31} {}\n", e.name, e.summary);
-  fmt::print("generators\n");
+    print("  {:<31} {}\n", e.name, e.summary);
+  print("generators\n");
   for (const generator& g : generators())
-    fmt::print("  {:<31} {}\n", g.name, g.summary);
+    print("  {:<31} {}\n", g.name, g.summary);
   return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  if (!graze::rounding::program_may_start("graze-fuzz"))
-    return 2;
+int start(int argc, char** argv) {
   CLI::App app{"Finds octants that a ray traversal misses, with an exact oracle."};
   app.footer(examples);
   app.require_subcommand(1);
@@ -250,12 +236,12 @@ int main(int argc, char** argv) {
   run_command->add_flag("--until-finding", run_with.until_finding, "End at the first finding");
   run_command->add_option("--seconds", run_with.seconds,
                           "Budget of time (5, if no budget is given)");
-  run_command->add_option("--rays", run_with.rays, "Budget of rays")->check(not_negative());
+  run_command->add_option("--rays", run_with.rays, "Budget of rays")->check(whole_number());
   run_command->add_option("--first-ray", run_with.first_ray, "Number of the first ray")
-      ->check(not_negative())
+      ->check(whole_number())
       ->capture_default_str();
   run_command->add_option("--seed", run_with.seed, "Ray k of a seed is always the same ray")
-      ->check(not_negative())
+      ->check(whole_number())
       ->capture_default_str();
   run_command->add_option("--threads", run_with.threads, "Threads")->capture_default_str();
   run_command->add_option("--save", run_with.save,
@@ -286,13 +272,8 @@ int main(int argc, char** argv) {
 
   CLI::App* list_command = app.add_subcommand("list", "Names of traversals and generators");
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0)
-      return app.exit(e);
-    return bad_input(e.what());
-  }
+  if (const auto code = parse_arguments(app, argc, argv))
+    return *code;
   if (run_command->parsed())
     return run(run_with);
   if (replay_command->parsed())
@@ -303,5 +284,9 @@ int main(int argc, char** argv) {
     return *code;
   if (list_command->parsed())
     return list();
-  return 2;
+  return refused;
 }
+
+} // namespace
+
+int main(int argc, char** argv) { return run_program("graze-fuzz", argc, argv, start); }

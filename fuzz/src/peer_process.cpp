@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <ctime>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -45,16 +46,86 @@ private:
   sigset_t pipe_, before_;
 };
 
+/// A process of ours that kills the groups of peers that are left when this process ends, however
+/// that ends: only the end of this process closes the pipe to it.
+class keeper {
+public:
+  /// Starts it, once.
+  static keeper& of_this_process() {
+    static keeper one;
+    return one;
+  }
+  void watch(pid_t group) const { tell(group); }
+  /// Before the group's number can be another's.
+  void forget(pid_t group) const { tell(-group); }
+
+private:
+  keeper() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+      throw cannot_ask(cannot("make a pipe"));
+    const pid_t pid = fork();
+    if (pid < 0) {
+      const std::string why = cannot("start a process");
+      close(ends[0]), close(ends[1]);
+      throw cannot_ask(why);
+    }
+    if (pid == 0) {
+      dup2(ends[0], STDIN_FILENO);
+      keep_until_the_end();
+    }
+    close(ends[0]);
+    to_ = ends[1];
+  }
+  static std::string cannot(const char* what) {
+    return fmt::format("cannot {} for the traversal: {}", what, std::strerror(errno));
+  }
+
+  void tell(pid_t group) const { // less than PIPE_BUF: whole
+    while (write(to_, &group, sizeof group) < 0 && errno == EINTR) {
+    }
+  }
+
+  /// System calls only: there may be other threads.
+  [[noreturn]] static void keep_until_the_end() {
+    setsid(); // a terminal's Ctrl-C is not for this one
+    for (int other = 1; other < 1024; ++other)
+      close(other);
+    for (const int s : {SIGINT, SIGTERM, SIGHUP, SIGPIPE})
+      std::signal(s, SIG_IGN);
+    static pid_t groups[4096];
+    pid_t told = 0;
+    for (ssize_t n = 1; n > 0 || (n < 0 && errno == EINTR);) {
+      n = read(STDIN_FILENO, &told, sizeof told);
+      if (n != sizeof told)
+        continue;
+      for (pid_t& g : groups)
+        if (g == (told > 0 ? 0 : -told)) {
+          g = told > 0 ? told : 0;
+          break;
+        }
+    }
+    for (const pid_t g : groups)
+      if (g > 0)
+        kill(-g, SIGKILL);
+    _exit(0);
+  }
+
+  int to_ = -1;
+};
+
 /// The child's part between fork and exec: system calls only.
-[[noreturn]] void become(const char* command, int in, int out, bool show_errors, pid_t parent) {
+[[noreturn]] void become(const char* command, int in, int out, bool show_errors, pid_t parent,
+                         const keeper& k) {
   setpgid(0, 0);
+  k.watch(getpid());
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent)
     _exit(127);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int s : {SIGPIPE, SIGINT, SIGTERM})
+  for (const int s : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGXFSZ})
     std::signal(s, SIG_DFL);
   dup2(in, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
@@ -67,28 +138,25 @@ private:
 
 } // namespace
 
-bool peer_process::start() {
+void peer_process::start() {
   stop();
+  const keeper& k = keeper::of_this_process();
   // close-on-exec: a peer of another thread that held our end would keep this one from seeing its
   // input end
   int in[2] = {-1, -1}, out[2] = {-1, -1};
-  if (pipe2(in, O_CLOEXEC) != 0)
-    return false;
-  if (pipe2(out, O_CLOEXEC) != 0) {
-    close_end(in[0]), close_end(in[1]);
-    return false;
-  }
+  const bool piped = pipe2(in, O_CLOEXEC) == 0 && pipe2(out, O_CLOEXEC) == 0;
   const pid_t parent = getpid();
-  pid_ = fork();
+  pid_ = piped ? fork() : -1;
   if (pid_ == 0)
-    become(command_.c_str(), in[0], out[1], show_errors_, parent);
+    become(command_.c_str(), in[0], out[1], show_errors_, parent, k);
+  const int error = errno;
   close_end(in[0]);
   close_end(out[1]);
   to_ = in[1];
   from_ = out[0];
   if (pid_ < 0) {
     close_end(to_), close_end(from_);
-    return false;
+    throw cannot_ask(fmt::format("cannot start the traversal's command: {}", std::strerror(error)));
   }
   setpgid(pid_, pid_); // here too: whichever comes first
   fcntl(to_, F_SETFL, O_NONBLOCK);
@@ -98,7 +166,6 @@ bool peer_process::start() {
   pending_.clear();
   buffer_.clear();
   read_ = 0;
-  return true;
 }
 
 void peer_process::stop(std::chrono::milliseconds patience) {
@@ -118,6 +185,7 @@ void peer_process::stop(std::chrono::milliseconds patience) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   kill(-pid_, SIGKILL);
+  keeper::of_this_process().forget(pid_);
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }

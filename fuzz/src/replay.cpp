@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-#include <fstream>
 #include <graze/fuzz/number.hpp>
 #include <graze/fuzz/replay.hpp>
 #include <graze/oracle/rational.hpp>
-#include <iostream>
+#include <graze/support/files.hpp>
+#include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
 
 namespace graze::fuzz {
@@ -11,6 +11,8 @@ namespace graze::fuzz {
 namespace {
 
 using json = nlohmann::ordered_json;
+/// What is read: its keys are looked up by a tree, so that many of them take no time.
+using read_json = nlohmann::json;
 
 json spelled(const vec3& v) { return json::array({hex(v[0]), hex(v[1]), hex(v[2])}); }
 
@@ -19,12 +21,12 @@ class reader {
 public:
   const std::string& reason() const { return reason_; }
 
-  const json* member(const json& object, const char* key) {
+  const read_json* member(const read_json& object, const char* key) {
     if (!object.is_object() || !object.contains(key))
       return refuse(fmt::format("no \"{}\"", key)), nullptr;
     return &object.at(key);
   }
-  double number(const json& value, const char* what) {
+  double number(const read_json& value, const char* what) {
     std::optional<double> x;
     if (value.is_string())
       x = parse_number(value.get_ref<const std::string&>());
@@ -34,9 +36,9 @@ public:
       return refuse(fmt::format("\"{}\" is not a finite number", what)), 0;
     return *x;
   }
-  vec3 vector(const json& object, const char* key) {
+  vec3 vector(const read_json& object, const char* key) {
     vec3 v{};
-    const json* value = member(object, key);
+    const read_json* value = member(object, key);
     if (value == nullptr)
       return v;
     if (!value->is_array() || value->size() != 3)
@@ -45,17 +47,17 @@ public:
       v[a] = number((*value)[a], key);
     return v;
   }
-  cube box(const json& object, const char* key) {
+  cube box(const read_json& object, const char* key) {
     cube c{{0, 0, 0}, 1};
-    const json* value = member(object, key);
+    const read_json* value = member(object, key);
     if (value == nullptr)
       return c;
     c.lo = vector(*value, "lo");
-    if (const json* size = member(*value, "size"))
+    if (const read_json* size = member(*value, "size"))
       c.size = number(*size, "size");
     return c;
   }
-  std::array<std::uint8_t, 3> extent(const json& value) {
+  std::array<std::uint8_t, 3> extent(const read_json& value) {
     std::array<std::uint8_t, 3> e{1, 1, 1};
     for (unsigned a = 0; a < 3; ++a) {
       if (!value.is_array() || value.size() != 3 || !value[a].is_number_integer() || value[a] < 1 ||
@@ -90,7 +92,7 @@ std::string to_json_line(const trial& t) {
 }
 
 expected<trial> from_json_line(std::string_view text) {
-  const json line = json::parse(text, nullptr, false);
+  const read_json line = read_json::parse(text, nullptr, false);
   if (line.is_discarded())
     return unexpected{"not JSON"};
   if (!line.is_object())
@@ -109,25 +111,27 @@ expected<trial> from_json_line(std::string_view text) {
 }
 
 expected<std::vector<replay_case>> read_replay_file(const std::string& path) {
-  std::ifstream file;
-  if (path != "-") {
-    file.open(path);
-    if (!file || file.peek() == std::ifstream::traits_type::eof())
-      return unexpected{fmt::format("cannot read {}, or it is empty", path)};
-  }
-  std::istream& in = path == "-" ? std::cin : file;
+  auto file = path == "-" ? expected<support::input_file>(support::input_file::standard_input())
+                          : support::input_file::open(path);
+  if (!file)
+    return unexpected{file.reason()};
   std::vector<replay_case> cases;
   std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
+  for (;;) {
+    const auto read = file->read_line(line, longest_replay_line);
+    if (!read)
+      return unexpected{read.reason()};
+    if (!*read)
+      break;
     if (line.find_first_not_of(" \t\r") == std::string::npos)
       continue;
+    if (cases.size() == most_replay_lines)
+      return unexpected{fmt::format("{} holds more than {} replay lines", path, most_replay_lines)};
     auto t = from_json_line(line);
     if (!t)
-      return unexpected{fmt::format("{}:{}: {}", path, number, t.reason())};
-    cases.push_back({number, *t});
+      return unexpected{fmt::format("{}:{}: {}", path, file->line_number(), t.reason())};
+    cases.push_back({file->line_number(), *t});
   }
-  if (in.bad())
-    return unexpected{fmt::format("cannot read {}", path)};
   if (cases.empty())
     return unexpected{fmt::format("{} holds no replay line", path)};
   return cases;
@@ -198,7 +202,7 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
                                  {"owns", has(r.owns, v)},
                                  {"visited", has(r.visited, v)}});
     }
-  return line.dump();
+  return support::json_line(line);
 }
 
 } // namespace graze::fuzz

@@ -4,6 +4,7 @@
 #include <graze/fuzz/replay.hpp>
 #include <graze/fuzz/report.hpp>
 #include <graze/fuzz/shrink.hpp>
+#include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
 
 namespace graze::fuzz {
@@ -46,7 +47,8 @@ std::string spelled(const vec3& v) {
 } // namespace
 
 std::optional<counterexample> counterexample_of(const campaign_plan& plan,
-                                                const campaign_result& result, bool shrink_it) {
+                                                const campaign_result& result, bool shrink_it,
+                                                const std::atomic<bool>* stop) {
   const auto kind = result.worst_finding();
   if (!kind)
     return std::nullopt;
@@ -60,12 +62,12 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
     const trial found = trial_of(plan, *ray);
     if (!shrink_it)
       return counterexample{*kind, *ray, found, found};
-    const trial shrunk = shrink(found, *under_test, *kind, 30'000, end);
+    const trial shrunk = shrink(found, *under_test, *kind, 30'000, end, stop);
     if (!simplest || complexity_of(shrunk) < complexity_of(simplest->shrunk))
       simplest = counterexample{*kind, *ray, found, shrunk};
   }
   if (simplest && *kind != finding::hang) // each hang costs its whole time
-    if (const auto small = small_witness(*under_test, *kind, 10'000, end);
+    if (const auto small = small_witness(*under_test, *kind, 10'000, end, stop);
         small && complexity_of(*small) < complexity_of(simplest->shrunk))
       simplest->shrunk = *small;
   return simplest;
@@ -103,9 +105,9 @@ std::string spelled(const trial& t) {
 std::string describe(const campaign_plan& plan, const campaign_result& result,
                      const counterexample& c) {
   std::string text = fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
-                                 name_of(c.kind), plan.under_test->name, c.ray, plan.seed,
-                                 plan.generators[generator_of(plan, c.ray)]->name, spelled(c.found),
-                                 spelled(c.shrunk));
+                                 name_of(c.kind), support::shown(plan.under_test->name), c.ray,
+                                 plan.seed, plan.generators[generator_of(plan, c.ray)]->name,
+                                 spelled(c.found), spelled(c.shrunk));
   text += fmt::format("replay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(c.shrunk),
                       plan.under_test->asked_for());
   for (unsigned k = 0; k < finding_kinds; ++k) {
@@ -147,7 +149,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
     put(of, result.by_generator[g]);
     object["generators"].push_back(std::move(of));
   }
-  return object.dump(2);
+  return object.dump(2, ' ', false, json::error_handler_t::replace);
 }
 
 } // namespace graze::fuzz

@@ -1,43 +1,23 @@
-#include <algorithm>
 #include <cmath>
-#include <csignal>
-#include <fmt/format.h>
 #include <graze/fuzz/self/campaign.hpp>
 #include <graze/fuzz/self_command.hpp>
-#include <thread>
-#include <unistd.h>
+#include <graze/support/program.hpp>
+#include <graze/support/progress.hpp>
 
 namespace graze::fuzz {
+
+using namespace support;
 
 struct self_options {
   CLI::App* app = nullptr;
   std::vector<std::string> names;
   std::uint64_t seed = 1, first = 0, trials = 0;
   double seconds = 0, seconds_a_trial = 60;
-  unsigned threads = std::clamp(std::thread::hardware_concurrency(), 1u, 1024u);
+  unsigned threads = default_threads();
   bool list = false, json = false, progress = false;
 };
 
 namespace {
-
-std::atomic<bool> stopped{false};
-
-int bad_input(const std::string& why) {
-  fmt::print(stderr, "graze-fuzz: {}\n", why);
-  return 2;
-}
-
-void show_progress(const self::plan& plan, std::uint64_t trials, double seconds) {
-  const double rate = static_cast<double>(trials) / seconds;
-  std::optional<double> left;
-  if (plan.trials != 0 && rate > 0)
-    left = static_cast<double>(plan.trials - trials) / rate;
-  if (plan.seconds != 0)
-    left = std::min(left.value_or(plan.seconds), plan.seconds - seconds);
-  fmt::print(stderr, "\r{}: {} trials, {:.0f} trials/s{}\x1b[K", plan.under_test->name, trials,
-             rate, left ? fmt::format(", {:.0f} s left ", std::max(*left, 0.0)) : " ");
-  std::fflush(stderr);
-}
 
 int list(bool as_json) {
   for (const self::subject& s : self::subjects()) {
@@ -50,9 +30,9 @@ int list(bool as_json) {
                            as_json ? "\"" : "", p.name) +
                (as_json ? "\"" : "");
     if (as_json)
-      fmt::print("{{\"subject\":\"{}\",\"parts\":[{}]}}\n", s.name, parts);
+      print("{{\"subject\":\"{}\",\"parts\":[{}]}}\n", s.name, parts);
     else
-      fmt::print("{:<15} {}\n{:<15} {}\n", s.name, s.summary, "", parts);
+      print("{:<15} {}\n{:<15} {}\n", s.name, s.summary, "", parts);
   }
   return 0;
 }
@@ -75,18 +55,16 @@ int run_subjects(const self_options& o) {
     return bad_input("--seconds is not a finite number of seconds, 0 or more");
   if (!std::isfinite(o.seconds_a_trial) || o.seconds_a_trial <= 0)
     return bad_input("--timeout is not a finite number of seconds above 0");
-  if (o.threads < 1 || o.threads > 1024)
+  if (o.threads < 1 || o.threads > most_threads)
     return bad_input("--threads is outside 1..1024");
   if (o.trials > ~std::uint64_t{0} - o.first)
     return bad_input("--first and --trials together exceed 64 bits");
 
-  const auto on_signal = [](int) { stopped.store(true); };
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  const bool progress = o.progress || isatty(STDERR_FILENO) != 0;
-  bool found = false;
+  listen_for_interrupts();
+  progress_line line("trials", o.progress);
+  bool any = false;
   for (const self::subject* s : chosen) {
-    if (stopped.load())
+    if (stop_wanted)
       break;
     const self::plan plan{.under_test = s,
                           .seed = o.seed,
@@ -96,30 +74,27 @@ int run_subjects(const self_options& o) {
                           .processes = o.threads,
                           .seconds_a_trial = o.seconds_a_trial};
     std::function<void(std::uint64_t, double)> show;
-    if (progress)
-      show = [&plan](std::uint64_t trials, double t) { show_progress(plan, trials, t); };
-    const auto r = self::run(plan, stopped, show);
-    if (progress)
-      fmt::print(stderr, "\r\x1b[K");
+    if (line.is_shown())
+      show = [&](std::uint64_t trials, double t) {
+        line.show({trials, plan.trials, t, plan.seconds}, std::string(s->name) + ": ");
+      };
+    const auto r = self::run(plan, stop_wanted, show);
+    if (stop_wanted)
+      end_is_orderly();
+    line.clear();
     if (!r)
       return bad_input(r.reason());
-    fmt::print("{}{}", o.json ? to_json(plan, *r) : to_text(plan, *r), o.json ? "\n" : "");
-    std::fflush(stdout);
-    found = found || !r->findings.empty();
+    print("{}{}", o.json ? to_json(plan, *r) : to_text(plan, *r), o.json ? "\n" : "");
+    flush_output();
+    any = any || !r->findings.empty();
   }
-  return found ? 1 : 0;
+  return any ? found : done;
 }
 
 } // namespace
 
 self_command::self_command(CLI::App& app) : options_(std::make_unique<self_options>()) {
   self_options& o = *options_;
-  // the parser takes -5 for an unsigned number and wraps it
-  const CLI::Validator not_negative(
-      [](std::string& text) {
-        return text.starts_with('-') ? text + " is negative" : std::string();
-      },
-      "", "not negative");
   CLI::App* c = o.app = app.add_subcommand("self", "Search for flaws of graze itself, not of rays");
   c->footer(R"(
 Examples:
@@ -131,12 +106,12 @@ Examples:
 Exit code: 0 nothing found, 1 a finding, 2 bad input.)");
   c->add_option("subjects", o.names, "Names of subjects (default: all, one after the other)");
   c->add_option("--seconds", o.seconds, "Budget of time of each subject (5, if none is given)");
-  c->add_option("--trials", o.trials, "Budget of trials of each subject")->check(not_negative);
+  c->add_option("--trials", o.trials, "Budget of trials of each subject")->check(whole_number());
   c->add_option("--first", o.first, "Number of the first trial")
-      ->check(not_negative)
+      ->check(whole_number())
       ->capture_default_str();
   c->add_option("--seed", o.seed, "Trial k of a seed is always the same trial")
-      ->check(not_negative)
+      ->check(whole_number())
       ->capture_default_str();
   c->add_option("--threads", o.threads, "Processes at a time")->capture_default_str();
   c->add_option("--timeout", o.seconds_a_trial, "Seconds after which a trial counts as a hang")

@@ -324,11 +324,11 @@ trial shrink(const trial& failing, const std::function<bool(const trial&)>& stil
 }
 
 trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations,
-             shrink_deadline end) {
+             shrink_deadline end, const std::atomic<bool>* stop) {
   return shrink(
       failing,
       [&](const trial& t) {
-        return std::chrono::steady_clock::now() < end &&
+        return std::chrono::steady_clock::now() < end && (stop == nullptr || !stop->load()) &&
                (judge(t, under_test).findings & bit(kind)) != 0;
       },
       evaluations);

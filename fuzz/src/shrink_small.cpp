@@ -30,17 +30,17 @@ trial small_integers(random_stream& random, int bits) {
 } // namespace
 
 std::optional<trial> small_witness(traversal& under_test, finding kind, unsigned evaluations,
-                                   shrink_deadline end) {
+                                   shrink_deadline end, const std::atomic<bool>* stop) {
   constexpr int most_bits = 26;
   constexpr unsigned enough = 12; // failing trials that are shrunk
   std::optional<trial> best;
   unsigned found = 0;
   const auto try_it = [&](const trial& t) {
-    if (std::chrono::steady_clock::now() >= end || !refusal(t).empty() ||
-        (judge(t, under_test).findings & bit(kind)) == 0)
+    if (std::chrono::steady_clock::now() >= end || (stop != nullptr && stop->load()) ||
+        !refusal(t).empty() || (judge(t, under_test).findings & bit(kind)) == 0)
       return;
     ++found;
-    const trial small = shrink(t, under_test, kind, evaluations, end);
+    const trial small = shrink(t, under_test, kind, evaluations, end, stop);
     if (!best || complexity_of(small) < complexity_of(*best))
       best = small;
   };

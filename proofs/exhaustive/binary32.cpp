@@ -1,25 +1,24 @@
 // graze-binary32: every float as an argument of every function of one argument,
 // judged by MPFR.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
-#include <fmt/format.h>
 #include <graze/interval.hpp>
 #include <graze/oracle/binary32.hpp>
+#include <graze/support/program.hpp>
+#include <graze/support/progress.hpp>
+#include <graze/support/threads.hpp>
 #include <mutex>
 #include <string>
-#include <thread>
-#include <unistd.h>
 #include <vector>
 
 namespace {
 
 namespace binary32 = graze::oracle::binary32;
+namespace support = graze::support;
 using interval = graze::float_interval<>;
 
 struct function {
@@ -125,10 +124,8 @@ void judge_edges(const function& f, graze::oracle::mpfr_function exact, tally& s
       judge(f, exact, with_bits((power << 23) + beside - 4), sum);
 }
 
-std::atomic<bool> stopped{false};
-
 struct options {
-  unsigned threads = std::clamp(std::thread::hardware_concurrency(), 1u, 1024u);
+  unsigned threads = support::default_threads();
   bool json = false, progress = false;
 };
 
@@ -137,14 +134,6 @@ struct outcome {
   double seconds = 0;
   std::uint64_t next; ///< every pattern of the range before it has been judged
 };
-
-void show_progress(const function& f, std::uint64_t done, std::uint64_t all, double seconds) {
-  const double rate = static_cast<double>(done) / seconds;
-  fmt::print(stderr, "\r{}: {:.2f} % of {} floats, {:.3g} M/s, {:.0f} s left \x1b[K", f.name,
-             100 * static_cast<double>(done) / static_cast<double>(all), all, rate / 1e6,
-             rate > 0 ? static_cast<double>(all - done) / rate : 0);
-  std::fflush(stderr);
-}
 
 outcome run(const function& f, const range& r, const options& o) {
   constexpr std::uint64_t block = 1 << 16;
@@ -159,29 +148,29 @@ outcome run(const function& f, const range& r, const options& o) {
   };
   if (r.step > 1)
     judge_edges(f, exact, result.sum);
-  std::vector<std::jthread> workers;
-  for (unsigned i = 0; i < o.threads; ++i)
-    workers.emplace_back([&] {
-      // a block that was begun is ended, so that those before `given` are whole
-      for (std::uint64_t at; !stopped.load() && (at = given.fetch_add(block)) < count;) {
-        tally sum;
-        const std::uint64_t end = std::min(at + block, count);
-        for (std::uint64_t k = at; k < end; ++k)
-          judge(f, exact, with_bits(r.first + k * r.step), sum);
-        done += end - at;
-        const std::lock_guard lock(guard);
-        result.sum.add(sum);
-      }
-      mpfr_free_cache();
-    });
-  while (done.load() < count && (!stopped.load())) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(count > 1000000 ? 500 : 5));
-    if (o.progress && seconds() > 1)
-      show_progress(f, done.load(), count, seconds());
-  }
-  workers.clear();
-  if (o.progress)
-    fmt::print(stderr, "\r\x1b[K");
+  std::atomic<bool> failed{false};
+  support::progress_line line("floats", o.progress);
+  support::thread_group workers(
+      o.threads,
+      [&] {
+        // a block that was begun is ended, so that those before `given` are whole
+        for (std::uint64_t at;
+             !support::stop_wanted && !failed && (at = given.fetch_add(block)) < count;) {
+          tally sum;
+          const std::uint64_t end = std::min(at + block, count);
+          for (std::uint64_t k = at; k < end; ++k)
+            judge(f, exact, with_bits(r.first + k * r.step), sum);
+          done += end - at;
+          const std::lock_guard lock(guard);
+          result.sum.add(sum);
+        }
+        mpfr_free_cache();
+      },
+      [&failed] { failed = true; });
+  while (!workers.wait_for(std::chrono::milliseconds(100)))
+    line.show({done.load(), count, seconds()}, std::string(f.name) + ": ");
+  workers.join();
+  line.clear();
   result.next = r.first + std::min(done.load(), count) * r.step;
   result.seconds = seconds();
   return result;
@@ -193,30 +182,28 @@ void report(const function& f, const range& r, const outcome& got, bool json) {
     std::string findings, rest = got.sum.first;
     for (std::size_t end; (end = rest.find('\n')) != std::string::npos; rest.erase(0, end + 1))
       findings += fmt::format("{}\"{}\"", findings.empty() ? "" : ",", rest.substr(0, end));
-    fmt::print("{{\"function\":\"{}\",\"first\":{},\"last\":{},\"step\":{},"
-               "\"judged\":{},"
-               "\"unsound\":{},\"loose\":{},\"seconds\":{:.3f},\"interrupted\":"
-               "{},\"next\":{},"
-               "\"findings\":[{}]}}\n",
-               f.name, r.first, r.last, r.step, got.sum.judged, got.sum.unsound, got.sum.loose,
-               got.seconds, !whole, got.next, findings);
+    support::print("{{\"function\":\"{}\",\"first\":{},\"last\":{},\"step\":{},"
+                   "\"judged\":{},"
+                   "\"unsound\":{},\"loose\":{},\"seconds\":{:.3f},\"interrupted\":"
+                   "{},\"next\":{},"
+                   "\"findings\":[{}]}}\n",
+                   f.name, r.first, r.last, r.step, got.sum.judged, got.sum.unsound, got.sum.loose,
+                   got.seconds, !whole, got.next, findings);
   } else {
-    fmt::print("{:<18} {:>10} floats in {:.1f} s, {:.3g} M/s: {} unsound, {} "
-               "loose\n{}",
-               f.name, got.sum.judged, got.seconds,
-               static_cast<double>(got.sum.judged) / got.seconds / 1e6, got.sum.unsound,
-               got.sum.loose, got.sum.first);
+    support::print("{:<18} {:>10} floats in {:.1f} s, {:.3g} M/s: {} unsound, {} "
+                   "loose\n{}",
+                   f.name, got.sum.judged, got.seconds,
+                   static_cast<double>(got.sum.judged) / got.seconds / 1e6, got.sum.unsound,
+                   got.sum.loose, got.sum.first);
     if (!whole)
-      fmt::print("interrupted; the rest: graze-binary32 {} --first {:#x} "
-                 "--last {:#x} --step {}\n",
-                 f.name, got.next, r.last, r.step);
+      support::print("interrupted; the rest: graze-binary32 {} --first {:#x} "
+                     "--last {:#x} --step {}\n",
+                     f.name, got.next, r.last, r.step);
   }
-  std::fflush(stdout);
+  support::flush_output();
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int start(int argc, char** argv) {
   CLI::App app{"Every float as an argument of the functions of float "
                "intervals, judged by MPFR"};
   app.footer(R"(
@@ -226,7 +213,7 @@ Examples:
   graze-binary32 exp --first 0x3f800000 --last 0x40000000 --json
 
 An interrupted run prints the command of the rest.
-Exit code: 0 each result is the tightest, 1 one is not, 2 bad input.)");
+Exit code: 0 each result is the tightest, 1 one is not, 2 bad input or a failure.)");
   options o;
   range r{0, 0xffffffff, 1};
   std::vector<std::string> names;
@@ -241,35 +228,31 @@ Exit code: 0 each result is the tightest, 1 one is not, 2 bad input.)");
   app.add_option("--threads", o.threads, "Threads")->check(CLI::Range(1u, 1024u));
   app.add_flag("--json", o.json, "Print one JSON object a function, on a line");
   app.add_flag("--progress", o.progress, "Show progress even if stderr is not a terminal");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  const auto bad_input = [](const std::string& why) {
-    fmt::print(stderr, "graze-binary32: {}\n", why);
-    return 2;
-  };
+  if (const auto code = support::parse_arguments(app, argc, argv))
+    return *code;
   if (r.last < r.first)
-    return bad_input("--last is before --first");
+    return support::bad_input("--last is before --first");
   const bool all = names.empty();
   std::vector<const function*> chosen;
   for (const function& f : functions)
     if (all || std::erase(names, f.name) != 0)
       chosen.push_back(&f);
   if (!names.empty())
-    return bad_input(fmt::format("no function is called \"{}\"", names.front()));
-  o.progress = o.progress || isatty(STDERR_FILENO) != 0;
-  const auto on_signal = [](int) { stopped.store(true); };
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+    return support::bad_input(fmt::format("no function is called \"{}\"", names.front()));
+  support::listen_for_interrupts();
   bool found = false;
   for (const function* f : chosen) {
-    if (stopped.load())
+    if (support::stop_wanted)
       break;
     const outcome got = run(*f, r, o);
     report(*f, r, got, o.json);
     found = found || got.sum.unsound + got.sum.loose != 0;
   }
-  return found ? 1 : 0;
+  return found ? support::found : support::done;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return support::run_program("graze-binary32", argc, argv, start);
 }

@@ -7,14 +7,12 @@
 // the product of their sizes is the number of pairs that it stands for. Exact: scaled by the
 // product of the components' mag, t at a plane is a product of three numbers of a few bits, which a
 // double holds.
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <graze/exhaustive/tiny_float.hpp>
 #include <graze/octree/ray_bounds.hpp>
-#include <graze/rounding/environment.hpp>
+#include <graze/support/program.hpp>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -169,7 +167,7 @@ template <int Precision, int Emin, int Emax> struct run_of {
       ++step;
     tally sum;
     const auto started = std::chrono::steady_clock::now();
-    for (std::uint64_t i = 0; i < count; ++i) {
+    for (std::uint64_t i = 0; i < count && !support::stop_wanted; ++i) {
       const std::uint64_t index = i * step % all;
       const tiny d[] = {values[index % n], values[index / n % n], values[index / n / n]};
       if (d[0].value != 0 || d[1].value != 0 || d[2].value != 0)
@@ -177,22 +175,22 @@ template <int Precision, int Emin, int Emax> struct run_of {
     }
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    const auto number = [](std::uint64_t x) { return static_cast<unsigned long long>(x); };
-    std::printf("%-9s %llu of %llu directions: %llu pairs (%llu calls of passes), %llu touched, "
-                "%llu missed; %llu crossed, %llu missed; %llu passed untouched; %llu NaN bounds; "
-                "%.1f s, %.3g pairs/s\n",
-                name, number(count), number(all), number(sum.pairs), number(sum.triples),
-                number(sum.touched), number(sum.missed), number(sum.crossed),
-                number(sum.missed_crossed), number(sum.spurious), number(sum.not_a_number), seconds,
-                static_cast<double>(sum.pairs) / seconds);
-    std::fflush(stdout);
+    if (support::stop_wanted)
+      return sum;
+    support::print("{:<9} {} of {} directions: {} pairs ({} calls of passes), {} touched, "
+                   "{} missed; {} crossed, {} missed; {} passed untouched; {} NaN bounds; "
+                   "{:.1f} s, {:.3g} pairs/s\n",
+                   name, count, all, sum.pairs, sum.triples, sum.touched, sum.missed, sum.crossed,
+                   sum.missed_crossed, sum.spurious, sum.not_a_number, seconds,
+                   static_cast<double>(sum.pairs) / seconds);
+    support::flush_output();
     return sum;
   }
 
   /// Whether what must hold holds: sound misses nothing, the baselines something.
   static bool holds(std::uint64_t directions) {
-    std::printf("significand %d bits, exponents %d..%d: %zu values\n", Precision, Emin, Emax,
-                tiny::finite().size());
+    support::print("significand {} bits, exponents {}..{}: {} values\n", Precision, Emin, Emax,
+                   tiny::finite().size());
     const tally sound = try_all<bounds_by<directed>>("sound", directions);
     const tally plain = try_all<bounds_by<undirected>>("plain", directions);
     const tally paper = try_all<published>("published", directions);
@@ -201,25 +199,30 @@ template <int Precision, int Emin, int Emax> struct run_of {
   }
 };
 
-} // namespace
-
-int main(int argc, char** argv) {
-  if (!graze::rounding::program_may_start("graze-exhaustive"))
-    return 2;
+int start(int argc, char** argv) {
   CLI::App app{"Every ray and every box over a tiny float, against exact arithmetic"};
   std::uint64_t directions = 0;
   int bits = 2;
-  app.add_option("--directions", directions, "that many, evenly spread; all without it");
+  app.add_option("--directions", directions, "that many, evenly spread; all without it")
+      ->check(support::whole_number());
   app.add_option("--bits", bits, "significand: 2 (15 values), 3 (31 values) or 4 (63 values)")
       ->check(CLI::IsMember({2, 3, 4}));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : 2;
-  }
+  app.footer(
+      "Exit codes: 0 sound misses nothing and the baselines do, 1 that is not so, 2 bad input "
+      "or a failure, 130 interrupted.");
+  if (const auto code = support::parse_arguments(app, argc, argv))
+    return *code;
+  support::listen_for_interrupts();
   const bool good = bits == 2   ? run_of<2, -1, 1>::holds(directions)
                     : bits == 3 ? run_of<3, -1, 1>::holds(directions)
                                 : run_of<4, -1, 1>::holds(directions);
-  return good ? 0 : 1;
+  if (support::interrupted())
+    return support::ended_by_signal;
+  return good ? support::done : support::found;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  return support::run_program("graze-exhaustive", argc, argv, start);
 }

@@ -13,15 +13,15 @@ camera camera::standard(double scale) {
           {-0x1.06p-1, 0x1.eaap+1, -0x1.05cp+0}}; // 131/256, 3925/1024, 1047/1024
 }
 
-const char* camera::objection() const {
+support::status camera::check() const {
   const auto size = [](const vec3& v) {
     return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
   };
   for (const vec3& v : {centre, right, up})
     if (!(size(v) >= 1e-100 && size(v) <= 1e100))
-      return "centre, right and up must be finite and not 0";
+      return unexpected{"centre, right and up must be finite and not 0"};
   if (!(size(eye) <= 1e100))
-    return "eye must be finite";
+    return unexpected{"eye must be finite"};
   const auto normalized = [&](const vec3& v) -> vec3 {
     return {v[0] / size(v), v[1] / size(v), v[2] / size(v)};
   };
@@ -29,11 +29,11 @@ const char* camera::objection() const {
   const double volume = c[0] * (r[1] * u[2] - r[2] * u[1]) + c[1] * (r[2] * u[0] - r[0] * u[2]) +
                         c[2] * (r[0] * u[1] - r[1] * u[0]);
   if (!(std::fabs(volume) > 1e-6))
-    return "centre, right and up must not lie in one plane";
+    return unexpected{"centre, right and up must not lie in one plane"};
   // the direction's part off the plane of right and up is then far above its rounding
   if (!(std::max(size(right), size(up)) < 1e6 * size(centre)))
-    return "right and up must be less than 1e6 times as long as centre";
-  return nullptr;
+    return unexpected{"right and up must be less than 1e6 times as long as centre"};
+  return {};
 }
 
 octree::ray camera::ray_through(int column, int row, int width, int height) const {

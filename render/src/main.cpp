@@ -1,26 +1,22 @@
 // graze-render: a picture of an implicit surface, each ray with its verdict.
-#include "program.hpp"
-#include "progress.hpp"
 #include "request.hpp"
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <fmt/format.h>
-#include <fstream>
 #include <graze/octree_formula.hpp>
-#include <graze/render/atomic_file.hpp>
+#include <graze/render/picture_texts.hpp>
 #include <graze/render/scene_text.hpp>
-#include <graze/rounding/environment.hpp>
-#include <new>
+#include <graze/support/files.hpp>
+#include <graze/support/program.hpp>
+#include <graze/support/progress.hpp>
+#include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <thread>
 
 namespace {
 using namespace graze::render;
+using namespace graze::support;
 using graze::expected, graze::unexpected;
 constexpr const char* software = "graze-render " GRAZE_VERSION;
-constexpr std::size_t largest_scene_file = 16 << 20;
+constexpr const char* default_domain = "-2,2";
+constexpr int not_written = 1; ///< the picture, as --help says
 
 struct request {
   std::string scene_name, formula, domain, again; ///< the scene: by one of the first two, or again
@@ -32,22 +28,18 @@ struct request {
   bool json = false;
 };
 
-int complain(exit_code code, const std::string& why) {
-  fmt::print(stderr, "graze-render: {}\n", why);
+int end_with(int code, const std::string& why) {
+  complain(why);
   return code;
 }
 
 expected<scene> scene_in_file(const std::string& name) {
-  std::ifstream file(name, std::ios::binary);
-  std::stringstream text;
-  if (std::error_code error; std::filesystem::is_directory(name, error) || !file)
-    return unexpected{fmt::format("cannot read the scene '{}'", name)};
-  if (std::error_code error; std::filesystem::file_size(name, error) > largest_scene_file)
-    return unexpected{fmt::format("the scene '{}' is too large", name)};
-  text << file.rdbuf();
-  auto found = scene_from(text.str());
+  const auto text = read_file(name, largest_scene_text);
+  if (!text)
+    return unexpected{text.reason()};
+  auto found = scene_from(*text);
   if (!found)
-    return unexpected{fmt::format("{}: {}", name, found.reason())};
+    return unexpected{fmt::format("{}: {}", shown(name), found.reason())};
   return found;
 }
 
@@ -68,25 +60,22 @@ expected<scene> scene_of(const std::string& formula, const std::string& domain) 
 
 /// The scene and the settings that a picture tells.
 expected<scene> scene_of_picture(const std::string& file, picture_settings& settings) {
-  const auto image = read_picture(file);
-  if (!image)
-    return unexpected{fmt::format("'{}' {}", file, image.reason())};
-  const auto told = [&](const char* key) -> std::string {
-    for (const auto& [name, text] : image->metadata)
-      if (name == key)
-        return text;
-    return {};
+  const auto texts = texts_of_picture(file);
+  if (!texts)
+    return unexpected{texts.reason()};
+  const auto told = [&](const char* key) {
+    const auto text = texts->find(key);
+    return text != texts->end() ? text->second : std::string();
   };
-  const std::string text = told("graze:scene");
-  if (text.empty())
-    return unexpected{fmt::format("'{}' tells of no scene: graze-render has not made it", file)};
-  auto s = scene_from(text);
+  if (!texts->contains("graze:scene"))
+    return unexpected{in_quotes(file) + " tells of no scene: graze-render has not made it"};
+  auto s = scene_from(told("graze:scene"));
   auto how = picture_settings::from(told("graze:settings"));
   if (!s || !how)
-    return unexpected{fmt::format("'{}': {}", file, s ? how.reason() : s.reason())};
+    return unexpected{in_quotes(file) + ": " + (s ? how.reason() : s.reason())};
   settings = *how;
   if (const std::string by = told("Software"); by != software)
-    fmt::print(stderr, "graze-render: '{}' was made by {}: the bytes may differ\n", file, by);
+    complain(in_quotes(file) + " was made by " + shown(by, 80) + ": the bytes may differ");
   return s;
 }
 
@@ -96,8 +85,10 @@ expected<scene> understand(request& r) {
   const int given = int{!r.scene_name.empty()} + int{!r.formula.empty()} + int{!r.again.empty()};
   if (given != 1)
     return unexpected{"one of --scene, --formula, --again is needed (--help shows the options)"};
-  if (r.threads < 0 || r.threads > 1024)
-    return unexpected{fmt::format("--threads must be 0 to 1024, not {}", r.threads)};
+  if (r.threads < 0 || r.threads > static_cast<int>(most_threads))
+    return unexpected{fmt::format("--threads must be 0 to {}, not {}", most_threads, r.threads)};
+  if (!r.domain.empty() && r.formula.empty())
+    return unexpected{"--domain is of --formula"};
   const auto size = extent_from(r.size);
   if (!size)
     return unexpected{size.reason()};
@@ -109,16 +100,16 @@ expected<scene> understand(request& r) {
       return unexpected{crop.reason()};
     r.settings.crop = *crop;
   }
-  if (const std::string why = r.settings.objection(); !why.empty())
-    return unexpected{why};
+  if (const status may = r.settings.check(); !may)
+    return unexpected{may.reason()};
   if (const auto format = format_of(r.output); !format)
     return unexpected{"the output " + format.reason()};
-  if (const std::string why = why_not_writable(r.output); !why.empty())
-    return unexpected{why};
+  if (const status may = check_writable(r.output); !may)
+    return unexpected{may.reason()};
   if (!r.again.empty())
     return scene_of_picture(r.again, r.settings);
   if (!r.formula.empty())
-    return scene_of(r.formula, r.domain);
+    return scene_of(r.formula, r.domain.empty() ? default_domain : r.domain);
   if (const scene* s = find_scene(r.scene_name); s != nullptr)
     return *s;
   if (r.scene_name.ends_with(".json"))
@@ -172,19 +163,19 @@ void print_summary(const request& r, const scene& s, const caster& work, double 
                  {"octree_seconds", octree_seconds},
                  {"seconds", result.seconds},
                  {"rays_per_second", rate}});
-    fmt::print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+    print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
     return;
   }
-  fmt::print("{} {}x{} {}: {} rays in {:.2f} s, {}rays/s, {} hits, {} misses, {} undecided, "
-             "{:.1f} {} a ray; {}{}\n",
-             s.name, result.whole.width, result.whole.height,
-             descends ? fmt::format("NL {}", r.settings.levels) : by_name, c.rays(), result.seconds,
-             three_digits(rate), c.hits, c.misses, c.undecided, c.octants_a_ray(),
-             descends ? "octants" : "steps",
-             descends ? fmt::format("octree of {} leaves in {:.2f} s; ", work.octree_leaves(),
-                                    octree_seconds)
-                      : "",
-             r.output);
+  print("{} {}x{} {}: {} rays in {:.2f} s, {}rays/s, {} hits, {} misses, {} undecided, "
+        "{:.1f} {} a ray; {}{}\n",
+        shown(s.name), result.whole.width, result.whole.height,
+        descends ? fmt::format("NL {}", r.settings.levels) : by_name, c.rays(), result.seconds,
+        three_digits(rate), c.hits, c.misses, c.undecided, c.octants_a_ray(),
+        descends ? "octants" : "steps",
+        descends
+            ? fmt::format("octree of {} leaves in {:.2f} s; ", work.octree_leaves(), octree_seconds)
+            : "",
+        shown(r.output, 1000));
 }
 
 int render_to_file(const request& r, const scene& s) {
@@ -193,43 +184,45 @@ int render_to_file(const request& r, const scene& s) {
   const auto start = std::chrono::steady_clock::now();
   auto work = prepare(s, std::min(how.octree_level, how.levels), how.levels, how.by);
   if (!work)
-    return complain(bad_input, work.reason());
+    return bad_input(work.reason());
   const double octree_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  progress_line line(r.progress ? progress_line::mode::always : progress_line::mode::automatic);
+  progress_line line("pixels", r.progress);
   const settings loop = {how.size, static_cast<unsigned>(r.threads), how.how, side_of(how.spp),
                          how.crop, format == file_format::exr};
   const rendering result =
       render_picture(s, **work, loop, &stop_wanted,
                      [&](std::uint64_t done_pixels, std::uint64_t pixels, double seconds) {
-                       line.show(done_pixels, pixels, seconds);
+                       line.show({done_pixels, pixels, seconds});
                      });
+  end_is_orderly();
   line.clear();
   if (result.counts.pixels == 0)
-    return complain(interrupted, "interrupted before the first tile; nothing written");
+    return end_with(ended_by_signal, "interrupted before the first tile; nothing written");
 
   picture image = to_picture(result);
   describe(image, r, s, result);
   const auto bytes = encode(image, format);
   if (!bytes)
-    return complain(failed, bytes.reason());
-  const auto written = write_atomically(r.output, *bytes);
-  if (!written)
-    return complain(failed, written.reason());
+    return end_with(not_written, bytes.reason());
+  if (const status written = write_atomically(r.output, *bytes); !written)
+    return end_with(not_written, written.reason());
   print_summary(r, s, **work, octree_seconds, result);
   if (result.complete)
     return done;
-  return complain(interrupted, fmt::format("interrupted: {} is a partial picture, {} of {} pixels",
-                                           r.output, result.counts.pixels, result.pixels.size()));
+  return end_with(ended_by_signal,
+                  fmt::format("interrupted: {} is a partial picture, {} of {} pixels",
+                              shown(r.output), result.counts.pixels, result.pixels.size()));
 }
 
 void declare(CLI::App& app, request& r) {
   app.add_option("--scene", r.scene_name, "One of " + scene_names() + ",\nor a .json file");
   app.add_option("--formula", r.formula, "The surface f = 0, such as \"x^2 + y^2 + z^2 - 1\"");
   app.add_option("--domain", r.domain,
-                 "Of --formula: lo,hi for all axes, or x0,x1,y0,y1,z0,z1 (as --domain=-1,1)")
-      ->capture_default_str();
+                 fmt::format("Of --formula: lo,hi for all axes, or x0,x1,y0,y1,z0,z1 (as "
+                             "--domain=-1,1); without it {}",
+                             default_domain));
   const auto again =
       app.add_option("--again", r.again,
                      "A picture of graze-render: its scene and settings once more, the same bytes");
@@ -267,10 +260,10 @@ void declare(CLI::App& app, request& r) {
       ->capture_default_str();
   app.add_flag("--progress", r.progress, "Report progress even if stderr is not a terminal");
   app.add_flag("--json", r.json, "The last line as a JSON object");
-  app.set_version_flag("--version", software);
   app.footer(
       "Undecided pixels are magenta; pixels not reached before an interrupt are black.\n"
-      "Exit codes: 0 done, 1 the picture could not be written, 2 bad input, 130 interrupted.\n\n"
+      "Exit codes: 0 done, 1 the picture could not be written, 2 bad input or another failure,\n"
+      "130 interrupted.\n\n"
       "Examples:\n"
       "  graze-render --scene tanglecube -o tanglecube.png\n"
       "  graze-render --scene spheres --mode trace --size 1024 -o spheres.exr\n"
@@ -278,41 +271,33 @@ void declare(CLI::App& app, request& r) {
       "  graze-render --again spheres.exr -o the_same.exr");
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  if (!graze::rounding::program_may_start("graze-render"))
-    return 2;
+int start(int argc, char** argv) {
   request r;
-  r.domain = "-2,2";
   CLI::App app(
       "Pictures of implicit surfaces: each pixel's ray hits, misses, or is undecided, proven by\n"
       "interval arithmetic.",
       "graze-render");
   declare(app, r);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0)
-      return app.exit(e);
-    return complain(bad_input, std::string(e.what()) + " (--help shows the options)");
-  }
+  if (const auto code = parse_arguments(app, argc, argv))
+    return *code;
   const bool of_descent = app.count("--levels") + app.count("--octree-level") != 0;
   if (of_descent && r.method == "certified")
-    return complain(bad_input, "--levels and --octree-level are of --method descent");
+    return bad_input("--levels and --octree-level are of --method descent");
   r.settings.by = of_descent || r.method == "descent" ? method::descent : method::certified;
+  listen_for_interrupts();
+  const auto s = understand(r);
+  if (!s)
+    return bad_input(s.reason());
+  if (r.threads == 0)
+    r.threads = static_cast<int>(default_threads());
   try {
-    const auto s = understand(r);
-    if (!s)
-      return complain(bad_input, s.reason());
-    if (r.threads == 0)
-      r.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    listen_for_interrupts();
     return render_to_file(r, *s);
   } catch (const std::bad_alloc&) {
-    return complain(failed, fmt::format("not enough memory for {}x{} pixels", r.settings.size.width,
-                                        r.settings.size.height));
-  } catch (const std::exception& e) { // threads that cannot be started
-    return complain(failed, e.what());
+    return bad_input(fmt::format("not enough memory for {}x{} pixels", r.settings.size.width,
+                                 r.settings.size.height));
   }
 }
+
+} // namespace
+
+int main(int argc, char** argv) { return run_program("graze-render", argc, argv, start); }

@@ -6,14 +6,9 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <future>
+#include <graze/support/threads.hpp>
 #include <limits>
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
+#include <mutex>
 
 namespace graze::render {
 namespace {
@@ -24,18 +19,39 @@ std::array<float, 3> narrow(const std::array<double, 3>& c) {
   return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
 }
 
+const pixel unfinished_pixel = {narrow(unfinished_colour), std::numeric_limits<float>::infinity()};
+
 /// One thread's part of the work, a tile at a time. Each pixel depends on nothing but its own rays,
 /// and sums of integers and greatest numbers on no order, so that the order in which tiles are
 /// taken cannot be seen. Its buffers are kept from tile to tile: given back to the system and asked
 /// for again, they cost more than the rays.
 class worker {
 public:
-  worker(const scene& s, const caster& work, const settings& how, rendering& target)
-      : scene_(s), work_(work), how_(how), target_(target), shader_(s, work, how.how),
+  worker(const scene& s, const caster& work, const settings& how, rendering& target,
+         const std::atomic<bool>* stop)
+      : scene_(s), work_(work, stop), how_(how), target_(target), shader_(s, work_, how.how),
         place_(target.part) {}
 
-  /// `place` is relative to the rendering's part.
-  void render(const window& place) {
+  /// `place` is relative to the rendering's part. False, and nothing is left of it, if the work was
+  /// stopped.
+  bool render(const window& place) {
+    const tally before = counts_;
+    look_at(place);
+    if (!work_.stopped())
+      return true;
+    counts_ = before;
+    for (std::size_t k = 0; k < sums_.size(); ++k) {
+      target_.pixels[at(k)] = unfinished_pixel;
+      if (how_.facts)
+        target_.facts[at(k)] = {};
+    }
+    return false;
+  }
+
+  [[nodiscard]] const tally& counts() const { return counts_; }
+
+private:
+  void look_at(const window& place) {
     place_ = place;
     sums_.assign(place.size.count(), colour{});
     colours_.resize(place.size.count());
@@ -63,9 +79,6 @@ public:
     counts_.pixels += sums_.size();
   }
 
-  [[nodiscard]] const tally& counts() const { return counts_; }
-
-private:
   /// Casts ray (i, j) of side^2 of every pixel.
   void cast(int side, int i, int j, bool centre) {
     const window& part = target_.part;
@@ -82,11 +95,11 @@ private:
       work_.first_hits(rays_, hits_, &counts_.visited);
       return;
     }
-    steps_.clear(); // one by one: the same hits, and each ray's own count
-    for (std::size_t k = 0; k < rays_.size(); ++k) {
+    steps_.assign(rays_.size(), 0); // one by one: the same hits, and each ray's own count
+    for (std::size_t k = 0; k < rays_.size() && !work_.stopped(); ++k) {
       octree::traversal_counts own;
-      work_.first_hits({&rays_[k], 1}, {&hits_[k], 1}, &own);
-      steps_.push_back(own.cells_opened);
+      work_.whole().first_hits({&rays_[k], 1}, {&hits_[k], 1}, &own);
+      steps_[k] = own.cells_opened;
       counts_.visited.cells_opened += own.cells_opened;
       counts_.visited.leaves_kept += own.leaves_kept;
     }
@@ -128,8 +141,8 @@ private:
       if (h.outcome == octree::verdict::undecided)
         continue;
       const vec3 point = point_at(rays_[k], middle(h));
-      f.normal = narrow(facing_normal(work_.gradient(point), d));
-      f.object = static_cast<int>(work_.object_at(point));
+      f.normal = narrow(facing_normal(work_.whole().gradient(point), d));
+      f.object = static_cast<int>(work_.whole().object_at(point));
     }
   }
 
@@ -142,7 +155,7 @@ private:
   }
 
   const scene& scene_;
-  const caster& work_;
+  interruptible_caster work_;
   const settings& how_;
   rendering& target_;
   shader shader_;
@@ -177,7 +190,7 @@ rendering render_picture(const scene& s, const caster& work, const settings& how
   result.whole = how.size;
   result.part = how.crop.value_or(window{0, 0, how.size});
   const std::size_t count = result.part.size.count();
-  result.pixels.assign(count, {narrow(unfinished_colour), std::numeric_limits<float>::infinity()});
+  result.pixels.assign(count, unfinished_pixel);
   if (how.facts)
     result.facts.resize(count);
 
@@ -185,7 +198,6 @@ rendering render_picture(const scene& s, const caster& work, const settings& how
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  tbb::enumerable_thread_specific<worker> workers([&] { return worker(s, work, how, result); });
   const extent& size = result.part.size;
   const int across = (size.width + tile_side - 1) / tile_side,
             down = (size.height + tile_side - 1) / tile_side;
@@ -195,32 +207,26 @@ rendering render_picture(const scene& s, const caster& work, const settings& how
                   top,
                   {std::min(tile_side, size.width - left), std::min(tile_side, size.height - top)}};
   };
+  std::atomic<int> next{0};
   std::atomic<std::uint64_t> done{0};
-  std::future<void> running = std::async(std::launch::async, [&] {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, how.threads);
-    tbb::task_arena arena(static_cast<int>(how.threads));
-    arena.execute([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<int>(0, across * down, 1),
-          [&](const tbb::blocked_range<int>& range) {
-            worker& mine = workers.local();
-            for (int tile = range.begin(); tile < range.end(); ++tile) {
-              if (stop != nullptr && stop->load(std::memory_order_relaxed))
-                continue;
-              const window place = place_of(tile);
-              mine.render(place);
-              done.fetch_add(place.size.count(), std::memory_order_relaxed);
-            }
-          },
-          tbb::simple_partitioner());
-    });
-  });
-  while (running.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
+  std::atomic<bool> failed{false};
+  std::mutex merging;
+  const auto take_tiles = [&] {
+    worker mine(s, work, how, result, stop);
+    for (int tile = next++; tile < across * down && !failed; tile = next++) {
+      const window place = place_of(tile);
+      if (!mine.render(place))
+        break;
+      done.fetch_add(place.size.count(), std::memory_order_relaxed);
+    }
+    const std::lock_guard lock(merging);
+    result.counts += mine.counts();
+  };
+  support::thread_group workers(how.threads, take_tiles, [&failed] { failed = true; });
+  while (!workers.wait_for(std::chrono::milliseconds(100)))
     if (report)
       report(done.load(std::memory_order_relaxed), count, elapsed());
-  running.get();
-  for (const worker& w : workers)
-    result.counts += w.counts();
+  workers.join();
   result.seconds = elapsed();
   result.complete = result.counts.pixels == count;
   return result;

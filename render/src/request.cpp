@@ -25,8 +25,8 @@ std::optional<std::vector<int>> integers(std::string_view text, char separator) 
   }
 }
 
-std::string outside(const char* name, int value, int least, int most) {
-  return fmt::format("{} must be {} to {}, not {}", name, least, most, value);
+unexpected outside(const char* name, int value, int least, int most) {
+  return unexpected{fmt::format("{} must be {} to {}, not {}", name, least, most, value)};
 }
 
 } // namespace
@@ -53,7 +53,7 @@ expected<window> window_from(std::string_view text) {
   return window{(*numbers)[0], (*numbers)[1], {(*numbers)[2], (*numbers)[3]}};
 }
 
-std::string picture_settings::objection() const {
+support::status picture_settings::check() const {
   constexpr int deepest = octree::max_level;
   if (levels < 1 || levels > deepest)
     return outside("--levels", levels, 1, deepest);
@@ -63,12 +63,12 @@ std::string picture_settings::objection() const {
     if (side < 1 || side > largest_size)
       return outside("--size", side, 1, largest_size);
   if (side_of(spp) == 0)
-    return fmt::format("--spp must be a square number, 1, 4, 9 ... 256, not {}", spp);
+    return unexpected{fmt::format("--spp must be a square number, 1, 4, 9 ... 256, not {}", spp)};
   if (crop &&
       (crop->column < 0 || crop->row < 0 || crop->size.width < 1 || crop->size.height < 1 ||
        crop->size.width > size.width - crop->column || crop->size.height > size.height - crop->row))
-    return fmt::format("--crop must be at least one pixel, and within {}x{}", size.width,
-                       size.height);
+    return unexpected{fmt::format("--crop must be at least one pixel, and within {}x{}", size.width,
+                                  size.height)};
   return {};
 }
 
@@ -86,7 +86,7 @@ std::string picture_settings::text() const {
 
 expected<picture_settings> picture_settings::from(std::string_view text) {
   try {
-    const auto j = nlohmann::ordered_json::parse(text);
+    const auto j = nlohmann::json::parse(text);
     picture_settings s;
     const auto how = j.at("mode").get<std::string>();
     if (how != "cast" && how != "trace")
@@ -104,8 +104,8 @@ expected<picture_settings> picture_settings::from(std::string_view text) {
       const auto c = j.at("crop").get<std::array<int, 4>>();
       s.crop = window{c[0], c[1], {c[2], c[3]}};
     }
-    if (const std::string why = s.objection(); !why.empty())
-      return unexpected{why};
+    if (const support::status may = s.check(); !may)
+      return unexpected{may.reason()};
     return s;
   } catch (const nlohmann::json::exception&) {
     return unexpected{"its settings cannot be read"};

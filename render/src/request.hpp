@@ -1,6 +1,7 @@
 #pragma once
 /// What graze-render is asked for, and the settings that a picture tells of itself.
 #include <graze/render/render.hpp>
+#include <graze/support/status.hpp>
 #include <string>
 #include <string_view>
 
@@ -16,8 +17,8 @@ struct picture_settings {
   std::optional<window> crop;
   int spp = 1;
 
-  /// The reason why no picture can be made so; empty if one can.
-  [[nodiscard]] std::string objection() const;
+  /// Whether a picture can be made so.
+  [[nodiscard]] support::status check() const;
   /// As JSON on one line; and back, where any text is refused that is none.
   [[nodiscard]] std::string text() const;
   static expected<picture_settings> from(std::string_view text);

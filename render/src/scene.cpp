@@ -116,9 +116,9 @@ expected<compiled> compile(const scene& s) {
   return compiled{*std::move(whole), std::move(parts)};
 }
 
-/// Why a picture would show nothing: f is proven to have no zero in the domain, or nothing at all
-/// is proven of it in any of 32^3 parts of the domain. Empty if there may be a surface.
-std::string objection_to(const formula_surface& f, const octree::box& domain) {
+/// Whether a picture can show something: not where f is proven to have no zero in the domain, or
+/// nothing at all is proven of it in any of 32^3 parts of the domain.
+support::status check_surface(const formula_surface& f, const octree::box& domain) {
   constexpr int parts = 32;
   [[maybe_unused]] const backend::scope scope;
   const auto face = [&](std::size_t a, int i) {
@@ -138,9 +138,10 @@ std::string objection_to(const formula_surface& f, const octree::box& domain) {
           return {};
       }
   if (!possible)
-    return "no surface: the formula is proven to have no zero in the domain";
-  return "no surface can be proven: wherever the formula may be 0 in the domain, it divides by an "
-         "interval that holds 0, or is not proven to be defined and continuous";
+    return unexpected{"no surface: the formula is proven to have no zero in the domain"};
+  return unexpected{
+      "no surface can be proven: wherever the formula may be 0 in the domain, it divides by an "
+      "interval that holds 0, or is not proven to be defined and continuous"};
 }
 
 } // namespace
@@ -152,15 +153,15 @@ std::string formula_of(const scene& s) {
 }
 
 expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels, method by) {
-  if (const std::string why = objection_to(s.domain); !why.empty())
-    return unexpected{why};
+  if (const support::status may = check_domain(s.domain); !may)
+    return unexpected{may.reason()};
   if (!s.built_in.empty())
     return prepare_built_in(s, octree_level, levels, by);
   auto text = compile(s);
   if (!text)
     return unexpected{text.reason()};
-  if (const std::string why = objection_to(text->whole.surface(), s.domain); !why.empty())
-    return unexpected{why};
+  if (const support::status may = check_surface(text->whole.surface(), s.domain); !may)
+    return unexpected{may.reason()};
   auto work = make_lane_caster(text->whole.surface(), s.domain, octree_level, levels, by);
   if (!work)
     return unexpected{work.reason()};
@@ -168,13 +169,13 @@ expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int 
       std::make_unique<formula_caster>(*std::move(text), s.shape, *std::move(work)));
 }
 
-std::string objection_to(const octree::box& domain) {
+support::status check_domain(const octree::box& domain) {
   for (std::size_t a = 0; a < 3; ++a) {
     const double lo = domain.lo[a], hi = domain.hi[a];
     if (!std::isfinite(lo) || !std::isfinite(hi) || std::max(std::fabs(lo), std::fabs(hi)) > 1e100)
-      return "the domain is not finite, or beyond 1e100";
+      return unexpected{"the domain is not finite, or beyond 1e100"};
     if (!(lo < hi))
-      return fmt::format("the domain is empty: {} from {} to {}", "xyz"[a], lo, hi);
+      return unexpected{fmt::format("the domain is empty: {} from {} to {}", "xyz"[a], lo, hi)};
   }
   return {};
 }

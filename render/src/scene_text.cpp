@@ -11,6 +11,8 @@ namespace graze::render {
 namespace {
 
 using json = nlohmann::ordered_json;
+/// What is read: its keys are looked up by a tree, so that many of them take no time.
+using read_json = nlohmann::json;
 constexpr int most_nested = 64;
 
 /// Thrown within this file only.
@@ -21,7 +23,7 @@ struct refusal {
 /// A value and where it is: "lights[1].intensity".
 class value {
 public:
-  value(const json& what, std::string path) : json_(&what), path_(std::move(path)) {}
+  value(const read_json& what, std::string path) : json_(&what), path_(std::move(path)) {}
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw refusal{path_.empty() ? why : fmt::format("key {}: {}", path_, why)};
@@ -79,7 +81,7 @@ public:
   }
 
 private:
-  const json* json_;
+  const read_json* json_;
   std::string path_;
 };
 
@@ -144,8 +146,8 @@ octree::box domain_of(const value& v) {
     b.lo[a] = all[first].number(-farthest, farthest);
     b.hi[a] = all[first + 1].number(-farthest, farthest);
   }
-  if (const std::string why = objection_to(b); !why.empty())
-    v.refuse(why);
+  if (const support::status may = check_domain(b); !may)
+    v.refuse(may.reason());
   return b;
 }
 
@@ -164,8 +166,8 @@ camera camera_from(const value& v) {
     c = {v.at("eye").three(-farthest, farthest), v.at("centre").three(-farthest, farthest),
          v.at("right").three(-farthest, farthest), v.at("up").three(-farthest, farthest)};
   }
-  if (const char* why = c.objection(); why != nullptr)
-    v.refuse(why);
+  if (const support::status may = c.check(); !may)
+    v.refuse(may.reason());
   return c;
 }
 
@@ -266,8 +268,10 @@ json json_of(const material& m) {
 } // namespace
 
 expected<scene> scene_from(std::string_view text) {
+  if (text.size() > largest_scene_text)
+    return unexpected{fmt::format("a scene of more than {} bytes", largest_scene_text)};
   try {
-    const json document = json::parse(text);
+    const read_json document = read_json::parse(text);
     return scene_of(value(document, ""));
   } catch (const refusal& r) {
     return unexpected{r.reason};
@@ -328,8 +332,8 @@ expected<octree::box> domain_from(std::string_view text) {
     b.lo[a] = numbers[first];
     b.hi[a] = numbers[first + 1];
   }
-  if (const std::string why = objection_to(b); !why.empty())
-    return unexpected{why};
+  if (const support::status may = check_domain(b); !may)
+    return unexpected{may.reason()};
   return b;
 }
 

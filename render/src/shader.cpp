@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 
 namespace graze::render {
 namespace {
@@ -16,6 +17,27 @@ void add(colour& to, double weight, const colour& what) {
 vec3 difference(const vec3& a, const vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 } // namespace
+
+void interruptible_caster::first_hits(std::span<const octree::ray> rays,
+                                      std::span<octree::surface_hit> hits,
+                                      octree::traversal_counts* counts) {
+  using clock = std::chrono::steady_clock;
+  constexpr std::size_t least = 8, most = 1024; // a tile's
+  constexpr auto quick = std::chrono::milliseconds(10), slow = std::chrono::milliseconds(50);
+  while (!rays.empty() && !stopped()) {
+    const std::size_t count = std::min(at_once_, rays.size());
+    const auto start = clock::now();
+    whole_.first_hits(rays.first(count), hits.first(count), counts);
+    const auto taken = clock::now() - start;
+    if (taken < quick)
+      at_once_ = std::min(2 * at_once_, most);
+    else if (taken > slow)
+      at_once_ = std::max(at_once_ / 2, least);
+    rays = rays.subspan(count);
+    hits = hits.subspan(count);
+  }
+  std::fill(hits.begin(), hits.end(), octree::surface_hit{verdict::miss, 0, 0, {{}, 0}, false});
+}
 
 void shader::look(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
                   std::span<colour> colours, tally& counts) {
@@ -60,8 +82,8 @@ void shader::sort(std::span<const octree::ray> rays, std::span<const octree::sur
     case verdict::hit: {
       const vec3 point = point_at(rays[i], middle(hits[i]));
       seen_.push_back({pixels[i], weights[i], rays[i], hits[i], point,
-                       facing_normal(work_.gradient(point), rays[i].direction()),
-                       work_.object_at(point), departure{}, 0});
+                       facing_normal(work_.whole().gradient(point), rays[i].direction()),
+                       work_.whole().object_at(point), departure{}, 0});
     }
     }
   }
@@ -75,7 +97,7 @@ void shader::find_departures(tally& counts) {
     hits_.push_back(s.hit);
   }
   departures_.resize(seen_.size());
-  work_.depart(rays_, hits_, departures_);
+  work_.whole().depart(rays_, hits_, departures_);
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     seen_[i].from = departures_[i];
     if (departures_[i].proven)

@@ -4,11 +4,32 @@
 
 namespace graze::render {
 
+/// A caster whose batches end soon after `stop` is set. One a thread.
+class interruptible_caster {
+public:
+  interruptible_caster(const caster& whole, const std::atomic<bool>* stop)
+      : whole_(whole), stop_(stop) {}
+
+  [[nodiscard]] const caster& whole() const { return whole_; }
+  [[nodiscard]] bool stopped() const {
+    return stop_ != nullptr && stop_->load(std::memory_order_relaxed);
+  }
+  /// caster::first_hits; once stopped, the rays that are left are misses.
+  void first_hits(std::span<const octree::ray> rays, std::span<octree::surface_hit> hits,
+                  octree::traversal_counts* counts);
+
+private:
+  const caster& whole_;
+  const std::atomic<bool>* stop_;
+  std::size_t at_once_ = 8; ///< as many rays as take a few milliseconds
+};
+
 /// Follows a batch of rays, and the batches of shadow rays and of reflected rays that come of it.
 /// What becomes of a ray depends on nothing but the ray. One a thread: it keeps its buffers.
 class shader {
 public:
-  shader(const scene& s, const caster& work, mode how) : scene_(s), work_(work), how_(how) {}
+  shader(const scene& s, interruptible_caster& work, mode how)
+      : scene_(s), work_(work), how_(how) {}
 
   /// The colours of what the rays see, given their first hits. As many of each.
   void look(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
@@ -35,7 +56,7 @@ private:
   void reflect(std::span<colour> colours, bool last, tally& counts);
 
   const scene& scene_;
-  const caster& work_;
+  interruptible_caster& work_;
   mode how_;
   std::vector<seen> seen_;
   // Of the batch that is followed.

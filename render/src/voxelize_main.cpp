@@ -1,23 +1,21 @@
 // graze-voxelize: a scene's surface as an octree in a file, and what such a file holds.
-#include "program.hpp"
-
-#include <CLI/CLI.hpp>
 #include <chrono>
-#include <cstdio>
-#include <fmt/format.h>
 #include <graze/octree/lane_kernels.hpp>
 #include <graze/octree/parallel_voxelizer.hpp>
 #include <graze/octree_file.hpp>
-#include <graze/render/atomic_file.hpp>
 #include <graze/render/scene.hpp>
-#include <graze/rounding/environment.hpp>
-#include <new>
+#include <graze/support/files.hpp>
+#include <graze/support/program.hpp>
+#include <graze/support/progress.hpp>
+#include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace {
 using namespace graze;
 using namespace graze::render;
+using namespace graze::support;
+
+constexpr int not_written = 1; ///< the octree, as --help says
 
 constexpr int deepest = 14;
 
@@ -28,8 +26,8 @@ struct request {
   bool json = false, progress = false;
 };
 
-int complain(exit_code code, const std::string& why) {
-  fmt::print(stderr, "graze-voxelize: {}\n", why);
+int end_with(int code, const std::string& why) {
+  complain(why);
   return code;
 }
 
@@ -65,21 +63,22 @@ const voxelizer* find_voxelizer(const std::string& name) {
   return nullptr;
 }
 
-/// The reason why this cannot be done, or nothing. Asked before any work.
-std::string objection(const request& r) {
+/// Whether this can be done. Asked before any work.
+status check(const request& r) {
   if (!r.info.empty())
     return {};
   if (r.scene_name.empty())
-    return "--scene and --out, or --info, are needed (--help shows the options)";
+    return unexpected{"--scene and --out, or --info, are needed (--help shows the options)"};
   if (r.output.empty())
-    return "--out is needed (--help shows the options)";
+    return unexpected{"--out is needed (--help shows the options)"};
   if (find_voxelizer(r.scene_name) == nullptr)
-    return fmt::format("unknown scene '{}'; there are {}", r.scene_name, voxelizer_names());
+    return unexpected{
+        fmt::format("unknown scene '{}'; there are {}", r.scene_name, voxelizer_names())};
   if (r.level < 1 || r.level > deepest)
-    return fmt::format("--level must be 1 to {}, not {}", deepest, r.level);
-  if (r.threads < 0 || r.threads > 1024)
-    return fmt::format("--threads must be 0 to 1024, not {}", r.threads);
-  return why_not_writable(r.output);
+    return unexpected{fmt::format("--level must be 1 to {}, not {}", deepest, r.level)};
+  if (r.threads < 0 || r.threads > static_cast<int>(most_threads))
+    return unexpected{fmt::format("--threads must be 0 to {}, not {}", most_threads, r.threads)};
+  return check_writable(r.output);
 }
 
 void print_octree(const request& r, const octree::sparse_octree& t, const std::string& description,
@@ -97,13 +96,13 @@ void print_octree(const request& r, const octree::sparse_octree& t, const std::s
                                    {"certified", certified},
                                    {"bytes", t.bytes()},
                                    {"seconds", seconds}};
-    fmt::print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
+    print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
     return;
   }
-  fmt::print(
-      "{}: level {}, {} nodes, {} leaves, {} of them certified, {} bytes in memory; {:.3f} s; "
-      "{}\n",
-      description, t.level(), t.node_count(), t.leaf_count(), certified, t.bytes(), seconds, file);
+  print("{}: level {}, {} nodes, {} leaves, {} of them certified, {} bytes in memory; {:.3f} s; "
+        "{}\n",
+        shown(description, 1000), t.level(), t.node_count(), t.leaf_count(), certified, t.bytes(),
+        seconds, shown(file, 1000));
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -114,83 +113,73 @@ int show_file(const request& r) {
   const auto start = std::chrono::steady_clock::now();
   const auto loaded = octree::load_octree(r.info);
   if (!loaded)
-    return complain(bad_input, loaded.reason());
+    return bad_input(loaded.reason());
   print_octree(r, loaded->octree, loaded->description, r.info, seconds_since(start));
   return done;
 }
 
 int voxelize_to_file(const request& r) {
   const scene& s = *find_scene(r.scene_name);
-  const bool terminal = isatty(STDERR_FILENO) == 1;
   const auto start = std::chrono::steady_clock::now();
   octree::parallel_options options{r.threads, &stop_wanted, {}};
-  double told = 0.5; // short work says nothing
-  if (terminal || r.progress)
+  progress_line line("parts", r.progress);
+  if (line.is_shown())
     options.progress = [&](std::size_t parts_done, std::size_t parts) {
-      if (const double now = seconds_since(start); now > told || (r.progress && parts_done == 1)) {
-        told = now + (terminal ? 0.1 : 1);
-        fmt::print(stderr, "{}{:3} %  {:.1f} s{}", terminal ? "\r" : "", 100 * parts_done / parts,
-                   now, terminal ? "" : "\n");
-      }
+      line.show({parts_done, parts, seconds_since(start)});
     };
   const auto tree = find_voxelizer(r.scene_name)->run(s.domain, r.level, options);
-  if (terminal)
-    fmt::print(stderr, "\r\033[K");
+  line.clear();
   const double seconds = seconds_since(start);
   if (stop_wanted)
-    return complain(interrupted, "interrupted; nothing written");
+    return end_with(ended_by_signal, "interrupted; nothing written");
+  end_is_orderly();
   if (!tree)
-    return complain(failed, tree.reason());
+    return end_with(not_written, tree.reason());
   const std::string description = fmt::format("{}: {}", s.name, formula_of(s));
   const auto bytes = octree::encode_octree(*tree, description);
   if (!bytes)
-    return complain(failed, bytes.reason());
-  if (const auto written = write_atomically(r.output, *bytes); !written)
-    return complain(failed, written.reason());
+    return end_with(not_written, bytes.reason());
+  if (const status written = write_atomically(r.output, *bytes); !written)
+    return end_with(not_written, written.reason());
   print_octree(r, *tree, description, r.output, seconds);
   return done;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  if (!graze::rounding::program_may_start("graze-voxelize"))
-    return 2;
+int start(int argc, char** argv) {
   request r;
   CLI::App app("Voxelizes the surface of a scene: every octant of a level that the surface meets,\n"
                "proven by interval arithmetic, in a file with a checksum.",
                "graze-voxelize");
-  app.add_option("--scene", r.scene_name, "One of " + voxelizer_names());
-  app.add_option("--level", r.level, fmt::format("Levels of the octree, 1 to {}", deepest))
-      ->capture_default_str();
-  app.add_option("-o,--out", r.output, "The file; an older one is replaced when all is done");
-  app.add_option("--info", r.info, "Reads such a file, checks all of it and says what it holds");
-  app.add_option("--threads", r.threads, "0: one a core; the file is the same for any number")
-      ->capture_default_str();
-  app.add_flag("--progress", r.progress, "Report progress even if stderr is not a terminal");
+  const auto scene = app.add_option("--scene", r.scene_name, "One of " + voxelizer_names());
+  const auto level =
+      app.add_option("--level", r.level, fmt::format("Levels of the octree, 1 to {}", deepest))
+          ->capture_default_str();
+  const auto out =
+      app.add_option("-o,--out", r.output, "The file; an older one is replaced when all is done");
+  const auto info = app.add_option("--info", r.info,
+                                   "Reads such a file, checks all of it and says what it holds");
+  const auto threads =
+      app.add_option("--threads", r.threads, "0: one a core; the file is the same for any number")
+          ->capture_default_str();
+  const auto progress =
+      app.add_flag("--progress", r.progress, "Report progress even if stderr is not a terminal");
   app.add_flag("--json", r.json, "The last line as a JSON object");
-  app.set_version_flag("--version", "graze-voxelize " GRAZE_VERSION);
+  for (CLI::Option* other : {scene, level, out, threads, progress})
+    info->excludes(other);
   app.footer("Exit codes: 0 done, 1 the octree could not be made or written, 2 bad input (also a\n"
-             "file that is no octree), 130 interrupted, nothing written.\n\n"
+             "file that is no octree) or another failure, 130 interrupted, nothing written.\n\n"
              "Examples:\n"
              "  graze-voxelize --scene tanglecube --out tanglecube.octree\n"
              "  graze-voxelize --scene spheres --level 11 --threads 2 --json -o spheres.octree\n"
              "  graze-voxelize --info spheres.octree");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0)
-      return app.exit(e);
-    return complain(bad_input, std::string(e.what()) + " (--help shows the options)");
-  }
-  if (const std::string why = objection(r); !why.empty())
-    return complain(bad_input, why);
+  if (const auto code = parse_arguments(app, argc, argv))
+    return *code;
+  if (const status may = check(r); !may)
+    return bad_input(may.reason());
   listen_for_interrupts();
-  try {
-    return r.info.empty() ? voxelize_to_file(r) : show_file(r);
-  } catch (const std::bad_alloc&) {
-    return complain(failed, "not enough memory for this octree");
-  } catch (const std::exception& e) { // threads that cannot be started
-    return complain(failed, e.what());
-  }
+  return r.info.empty() ? voxelize_to_file(r) : show_file(r);
 }
+
+} // namespace
+
+int main(int argc, char** argv) { return run_program("graze-voxelize", argc, argv, start); }

@@ -22,7 +22,7 @@ os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
 import graze_farm
 
 OPTIONS = ["--traversal", "published", "--level", "10", "--seed", "7"]
-RANGES = graze_farm.ranges(2_000_500, 100_000)
+RANGES = list(graze_farm.ranges(2_000_500, 100_000))
 
 
 def main():

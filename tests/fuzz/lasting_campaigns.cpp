@@ -209,7 +209,7 @@ TEST_CASE("graze-fuzz campaign: bad input is one line, exit code 2, and leaves n
   refused("campaign " + folder + " --seconds nan", "--seconds");
   refused("campaign " + folder + " --threads 0", "--threads");
   CHECK(dir.empty());
-  refused("campaign /no/such/folder --rays 1", "cannot make /no/such/folder");
+  refused("campaign /no/such/folder --rays 1", "cannot make the folder '/no/such/folder'");
   refused("summary " + folder, "it has no plan.json");
   std::ofstream(dir / "mine.txt") << "mine";
   refused("campaign " + (dir / ""), "has no plan.json and is not empty");

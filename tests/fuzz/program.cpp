@@ -123,7 +123,7 @@ TEST_CASE("graze-fuzz run: an interrupt ends it early, with its summary", "[unit
   // interrupted once it says that rays were done, however long that takes
   const std::string command = "'" GRAZE_FUZZ "' run --seconds 1000000 --json --progress >" +
                               (dir / "out") + " 2>" + (dir / "err") +
-                              " & pid=$!; until grep -q '[1-9][0-9]* rays,' " + (dir / "err") +
+                              " & pid=$!; until grep -q '[1-9][0-9.]* [kM]*rays  ' " + (dir / "err") +
                               "; do sleep 0.02; done; kill -INT $pid; wait $pid";
   CHECK(std::system(command.c_str()) == 0);
   const auto object = nlohmann::json::parse(support::content(dir / "out"));

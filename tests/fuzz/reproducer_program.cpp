@@ -50,7 +50,9 @@ TEST_CASE("graze-fuzz replay: --reproducer writes nothing where nothing is found
 
 TEST_CASE("graze-fuzz: a reproducer's folder that cannot be made is one line and exit code 2",
           "[unit]") {
-  support::refused(GRAZE_FUZZ, "run --reproducer /dev/null/out", "cannot write to folder");
-  support::refused(GRAZE_FUZZ, "replay " GRAZE_CORPUS "/numerics.jsonl --reproducer /dev/null/out",
-                   "cannot write to folder");
+  const std::string within_a_file = GRAZE_CORPUS "/numerics.jsonl/out";
+  support::refused(GRAZE_FUZZ, "run --reproducer " + within_a_file, "cannot make the folder");
+  support::refused(GRAZE_FUZZ,
+                   "replay " GRAZE_CORPUS "/numerics.jsonl --reproducer " + within_a_file,
+                   "cannot make the folder");
 }

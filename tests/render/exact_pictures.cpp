@@ -11,12 +11,12 @@ namespace {
 
 std::optional<oracle::root> first(const scene& s, const octree::ray& r) {
   if (s.name == "spheres")
-    return support::first_root(octree::spheres{}, r, s.domain);
+    return ::support::first_root(octree::spheres{}, r, s.domain);
   if (s.name == "quartdef")
-    return support::first_root(octree::quartdef{}, r, s.domain);
+    return ::support::first_root(octree::quartdef{}, r, s.domain);
   if (s.name == "tanglecube")
-    return support::first_root(octree::tanglecube{}, r, s.domain);
-  return support::first_root(octree::holesrot{}, r, s.domain);
+    return ::support::first_root(octree::tanglecube{}, r, s.domain);
+  return ::support::first_root(octree::holesrot{}, r, s.domain);
 }
 
 } // namespace

@@ -1,8 +1,9 @@
-// Pictures written and read back; files that appear whole or not at all.
+// Pictures written and read back, and what they tell of themselves.
 #include "../support/program.hpp"
 #include <cmath>
-#include <graze/render/atomic_file.hpp>
 #include <graze/render/image.hpp>
+#include <graze/render/picture_texts.hpp>
+#include <graze/support/files.hpp>
 #include <limits>
 
 using namespace graze::render;
@@ -21,7 +22,7 @@ picture small() {
 void write(const picture& image, const std::string& file) {
   const auto bytes = encode(image, *format_of(file));
   REQUIRE(bytes);
-  REQUIRE(write_atomically(file, *bytes));
+  REQUIRE(graze::support::write_atomically(file, *bytes));
 }
 
 } // namespace
@@ -59,22 +60,21 @@ TEST_CASE("render.image: other extensions are refused with those that there are"
   CHECK(format_of("a.jpg").reason().find("png") != std::string::npos);
 }
 
-TEST_CASE("render.file: a failed write leaves nothing", "[unit]") {
-  const scratch dir;
-  const unsigned char bytes[] = {1, 2, 3};
-  CHECK_FALSE(write_atomically(dir / "none/a.png", bytes));
-  CHECK(dir.empty());
-  CHECK_FALSE(why_not_writable(dir / "none/a.png").empty());
-  CHECK(why_not_writable(dir / "a.png").empty());
-  REQUIRE(write_atomically(dir / "a.png", bytes));
-  CHECK(support::content(dir / "a.png") == "\x01\x02\x03");
-}
-
-TEST_CASE("render.file: a full disk is said, and an older file is untouched", "[unit]") {
-  const unsigned char bytes[] = {1, 2, 3};
-  CHECK_FALSE(write_atomically("/dev/full/a.png", bytes));
-  const scratch dir;
-  std::filesystem::create_directory(dir / "a.png"); // in the way of the rename
-  CHECK_FALSE(write_atomically(dir / "a.png", bytes));
-  CHECK(std::filesystem::is_directory(dir / "a.png"));
+TEST_CASE("render.texts: of both formats, without a look at a pixel", "[unit]") {
+  for (const file_format format : {file_format::png, file_format::exr}) {
+    const auto bytes = encode(small(), format);
+    REQUIRE(bytes.has_value());
+    const std::string whole(bytes->begin(), bytes->end());
+    const auto texts = texts_in(whole);
+    REQUIRE(texts.has_value());
+    CHECK(texts->at("graze:scene") == "none");
+    // what is cut off is refused or says the same, wherever that is
+    for (std::size_t length = 0; length < whole.size(); ++length)
+      if (const auto part = texts_in(whole.substr(0, length)); part)
+        CHECK(*part == *texts);
+  }
+  CHECK_FALSE(texts_in("").has_value());
+  CHECK_FALSE(texts_in("GIF89a").has_value());
+  // a length of 4 GB takes no memory
+  CHECK_FALSE(texts_in(std::string("\x76\x2f\x31\x01\x02\0\0\0a\0string\0\xff\xff\xff\xff", 21)));
 }

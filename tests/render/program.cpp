@@ -118,7 +118,7 @@ TEST_CASE("graze-render: scene files, and errors that name the key", "[unit]") {
   wrong("{\"formula\": \"x\", \"domain\": [1, 1]}", "key domain: the domain is empty");
   wrong("{\"formula\": \"x\", \"domain\": [0, 1], \"lights\": [{\"position\": [0, 0, \"a\"]}]}",
         "key lights[0].position[2]: must be a number");
-  refused(dir, "--scene " + (scenes / "none.json") + to, "cannot read the scene");
+  refused(dir, "--scene " + (scenes / "none.json") + to, "cannot read '");
   std::ofstream(file) << "{\"formula\": \"x^2 + y^2 + z^2 - 1\", \"domain\": [-1.5, 1.5]}";
   const auto o = call(GRAZE_RENDER, "--scene " + file + " --size 32 --json" + to);
   REQUIRE(o.code == 0);
@@ -154,8 +154,6 @@ TEST_CASE("graze-render: a full disk is one line, exit code 1, and no file", "[u
   CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
   CHECK(o.err.find("cannot write") != std::string::npos);
   CHECK(dir.empty());
-  const auto device = call(GRAZE_RENDER, "--scene spheres --octree-level 6 --size 8 -o /dev/full");
-  CHECK(device.code == 2);
 }
 
 TEST_CASE("graze-render: an interrupt leaves a valid picture or none, and says so", "[unit]") {

@@ -45,7 +45,7 @@ template <class F> void check(const char* name, int levels, method by) {
       const int before = exact_sign(F{}, exact_point(r, h.t_near));
       if (before != 0)
         REQUIRE(exact_sign(F{}, p) == before);
-      const auto root = support::first_root(F{}, r, s.domain);
+      const auto root = ::support::first_root(F{}, r, s.domain);
       REQUIRE(root);
       const auto q = exact_point(r, root->lo);
       mpq_class square = 0;
@@ -69,7 +69,7 @@ template <class F> void check(const char* name, int levels, method by) {
         if (found.outcome == octree::verdict::undecided)
           continue;
         // not the hit that it left, unless the exact ray meets the surface there again
-        const auto exact = support::first_root(F{}, next, s.domain);
+        const auto exact = ::support::first_root(F{}, next, s.domain);
         REQUIRE(found.outcome == (exact ? octree::verdict::hit : octree::verdict::miss));
         if (!exact)
           continue;

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <graze/fuzz/campaign_store.hpp>
 #include <graze/fuzz/reproducer.hpp>
 #include <graze/fuzz/shrink.hpp>
-#include <unistd.h>
+#include <graze/support/files.hpp>
 
 namespace graze::fuzz {
 
@@ -88,25 +87,24 @@ std::string reproducer_name(const reproduction& r) {
   return name;
 }
 
-std::string refusal_of_folder(const std::string& folder) {
+support::status prepare_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder, error) || ::access(folder.c_str(), W_OK | X_OK) != 0)
-    return fmt::format("cannot write to folder {}", folder);
-  return {};
+  return error ? support::failed("make the folder", folder, error.value())
+               : support::check_writable((std::filesystem::path(folder) / "x.json").string());
 }
 
 expected<std::string> write_reproducer(const reproduction& r, const std::string& folder) {
-  if (std::string why = refusal_of_folder(folder); !why.empty())
-    return unexpected{std::move(why)};
+  if (const support::status may = prepare_folder(folder); !may)
+    return unexpected{may.reason()};
   const std::string path = (std::filesystem::path(folder) / reproducer_name(r)).string();
   const std::array<std::pair<const char*, std::string>, 4> files{{{".txt", reproducer_text(r)},
                                                                   {".cpp", reproducer_snippet(r)},
                                                                   {".svg", reproducer_picture(r)},
                                                                   {".json", reproducer_json(r)}}};
   for (const auto& [ending, text] : files)
-    if (std::string why = write_atomically(path + ending, text); !why.empty())
-      return unexpected{std::move(why)};
+    if (const support::status written = support::write_atomically(path + ending, text); !written)
+      return unexpected{written.reason()};
   return path;
 }
 

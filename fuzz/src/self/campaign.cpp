@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <graze/fuzz/self/campaign.hpp>
+#include <graze/support/interrupts.hpp>
 #include <map>
 #include <memory>
 #include <new>
@@ -32,6 +33,8 @@ double since(clock::time_point start) {
 /// trials makes it once.
 constexpr std::uint64_t piece = 256;
 constexpr unsigned most_parts = 256;
+/// Seconds that a trial in work is waited for after an interrupt.
+constexpr double patience = 0.3;
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "shared by processes");
 
 /// Of one worker, in memory that outlives it.
@@ -173,6 +176,10 @@ public:
       const double now = since(begin_);
       if (stop.load() || (plan_.seconds != 0 && now >= plan_.seconds))
         shared_[0].stop = true;
+      if (stop.load() && !stopped_)
+        stopped_ = clock::now();
+      if (stopped_ && since(*stopped_) > patience)
+        abandon_trials();
       for (std::size_t i = 0; i < children_.size(); ++i)
         if (!look_after(i))
           return give_up();
@@ -206,8 +213,7 @@ private:
       return false;
     }
     if (pid == 0) {
-      std::signal(SIGINT, SIG_IGN); // a terminal's Ctrl-C reaches all: the parent says when to end
-      std::signal(SIGTERM, SIG_IGN);
+      support::ignore_interrupts(); // a terminal's Ctrl-C reaches all: the parent says when to end
       for (const int fatal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
         std::signal(fatal, SIG_DFL); // the parent tells of it, no handler of its own
       const rlimit no_core{0, 0};
@@ -225,6 +231,15 @@ private:
     c.received.clear();
     c.hangs = false;
     return true;
+  }
+
+  /// Trials in work count as not begun: whoever has asked for the end does not wait for them.
+  void abandon_trials() {
+    for (std::size_t i = 0; i < children_.size(); ++i)
+      if (children_[i].pid != 0) {
+        kill(children_[i].pid, SIGKILL);
+        states_[i].at = 0;
+      }
   }
 
   /// False where a process could not be started again.
@@ -345,6 +360,7 @@ private:
   std::vector<child> children_;
   std::map<std::pair<flaw, std::string>, finding> findings_;
   clock::time_point begin_ = clock::now();
+  std::optional<clock::time_point> stopped_;
 };
 
 } // namespace

@@ -1,9 +1,8 @@
 #include <graze/octree_file.hpp>
 
 #include <bit>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <graze/support/files.hpp>
 #include <zlib.h>
 
 namespace graze::octree {
@@ -126,25 +125,26 @@ expected<described_octree> decode_octree(std::span<const unsigned char> bytes) {
   return described_octree{*std::move(octree), std::string(text.begin(), text.end())};
 }
 
-expected<described_octree> load_octree(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::string name = std::string(1, '\'').append(file.string()).append(1, '\'');
-  if (std::filesystem::is_directory(file, error))
-    return unexpected{name + " is a folder"};
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    return unexpected{"cannot open " + name + ": " + std::strerror(errno)};
-  std::vector<unsigned char> bytes;
-  if (const auto size = std::filesystem::file_size(file, error); !error)
-    bytes.reserve(size);
-  std::vector<char> piece(1 << 20);
-  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0)
-    bytes.insert(bytes.end(), piece.begin(), piece.begin() + in.gcount());
-  if (in.bad())
-    return unexpected{"cannot read " + name};
-  auto result = decode_octree(bytes);
+expected<described_octree> load_octree(const std::filesystem::path& path) {
+  auto file = support::input_file::open(path.string());
+  if (!file)
+    return unexpected{file.reason()};
+  const auto decoded = [](const std::string& bytes) {
+    return decode_octree({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
+  };
+  // what is no octree is refused by its head, however large it is
+  auto bytes = file->read(header_size);
+  if (bytes && bytes->starts_with(std::string_view(magic, sizeof magic))) {
+    auto rest = file->read_all(largest_octree_file);
+    if (!rest)
+      return unexpected{rest.reason()};
+    *bytes += *rest;
+  }
+  if (!bytes)
+    return unexpected{bytes.reason()};
+  auto result = decoded(*bytes);
   if (!result)
-    return unexpected{name + ": " + result.reason()};
+    return unexpected{support::in_quotes(path.string()) + ": " + result.reason()};
   return result;
 }
 

@@ -1,14 +1,12 @@
 /// The command line of graze-itf1788. Exit codes: 0 every statement passed, 1 some did not, 2 bad
 /// input.
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cstdio>
 #include <graze/itf1788/report.hpp>
-#include <graze/rounding/environment.hpp>
+#include <graze/support/program.hpp>
 
 namespace {
 
 using namespace graze::itf1788;
+using namespace graze::support;
 
 const char* const examples = R"(
 Examples:
@@ -26,18 +24,9 @@ The last line is: total: N passed, N failed, N unsupported
 With --json one object is printed instead, and nothing else.
 
 Exit code: 0 every statement passed, 1 some failed or are unsupported, 2 bad input (no such path, no
-.itl file in a folder, a syntax error).)";
+.itl file in a folder, a syntax error) or another failure, 130 interrupted.)";
 
-int bad_input(const std::string& why) {
-  std::fprintf(stderr, "graze-itf1788: %s\n", why.c_str());
-  return 2;
-}
-
-} // namespace
-
-int main(int argc, char** argv) {
-  if (!graze::rounding::program_may_start("graze-itf1788"))
-    return 2;
+int start(int argc, char** argv) {
   CLI::App app("Runs the statements of .itl files (the ITF1788 framework's) on graze::interval");
   app.name("graze-itf1788");
   app.footer(examples);
@@ -47,13 +36,9 @@ int main(int argc, char** argv) {
   app.add_flag("--json", json, "Print one JSON object");
   app.add_flag("--strict", only_stated, "Count results that are tighter than stated as failed");
   app.add_flag("--verbose", verbose, "Print passed and unsupported statements too");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0)
-      return app.exit(e);
-    return bad_input(e.what());
-  }
+  if (const auto code = parse_arguments(app, argc, argv))
+    return *code;
+  listen_for_interrupts();
 
   std::vector<file_report> reports;
   for (const std::string& path : paths) {
@@ -61,6 +46,8 @@ int main(int argc, char** argv) {
     if (!files)
       return bad_input(files.reason());
     for (const std::string& file : *files) {
+      if (stop_wanted)
+        return ended_by_signal;
       auto report = run_file(file);
       if (!report)
         return bad_input(report.reason());
@@ -69,9 +56,11 @@ int main(int argc, char** argv) {
   }
   if (only_stated)
     reports = strict(std::move(reports));
-  const std::string text = json ? to_json(reports) + "\n" : to_text(reports, verbose);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    return bad_input("cannot write to the standard output");
+  print_text(json ? to_json(reports) + "\n" : to_text(reports, verbose));
   const totals all = total_of(reports);
-  return all.failed == 0 && all.unsupported == 0 ? 0 : 1;
+  return all.failed == 0 && all.unsupported == 0 ? done : found;
 }
+
+} // namespace
+
+int main(int argc, char** argv) { return run_program("graze-itf1788", argc, argv, start); }

@@ -22,6 +22,8 @@ constexpr std::array exceptions{"UndefinedOperation", "PossiblyUndefinedOperatio
 constexpr std::array decorations{decoration::ill, decoration::trv, decoration::def, decoration::dac,
                                  decoration::com};
 
+constexpr std::size_t most_statements = 200'000;
+
 bool is_one_of(const auto& names, std::string_view word) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
@@ -127,9 +129,11 @@ private:
     while (accept("."))
       require_word("the name of the testcase");
     require("{", "after the name of the testcase");
-    do
+    do {
+      if (all.size() == most_statements)
+        throw refusal{here_.line, fmt::format("more than {} statements", most_statements)};
       all.push_back(test());
-    while (!accept("}"));
+    } while (!accept("}"));
   }
 
   statement test() {
@@ -287,6 +291,8 @@ private:
 
   /// A number of an interval or an array; an integer stands for the double that it is.
   value number() {
+    if (is("[") || is("{")) // neither is one, and nested they would take the stack
+      refuse("a number");
     const std::string written(here_.written);
     value v = literal();
     if (const auto* n = std::get_if<std::int64_t>(&v)) {

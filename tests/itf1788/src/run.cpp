@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <graze/itf1788/operations.hpp>
 #include <graze/itf1788/run.hpp>
 #include <graze/itf1788/tighter.hpp>
-#include <iterator>
+#include <graze/support/files.hpp>
 
 namespace graze::itf1788 {
 
@@ -75,11 +74,10 @@ int file_report::count(verdict v) const {
 }
 
 expected<file_report> run_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file || std::filesystem::is_directory(path))
-    return unexpected{"cannot read " + path};
-  auto statements = parse(text, path);
+  const auto text = support::read_file(path, largest_file);
+  if (!text)
+    return unexpected{text.reason()};
+  auto statements = parse(*text, path);
   if (!statements)
     return unexpected{statements.reason()};
   file_report report{path, {}};
@@ -102,7 +100,7 @@ expected<std::vector<std::string>> files_of(const std::string& path) {
     if (i->path().extension() == ".itl" && i->is_regular_file(error))
       files.push_back(i->path().string());
   if (error)
-    return unexpected{"cannot read the folder " + path};
+    return support::failed("read the folder", path, error.value());
   if (files.empty())
     return unexpected{"no .itl file in " + path};
   std::sort(files.begin(), files.end());

@@ -10,7 +10,9 @@
 /// So a campaign that was killed and went on ends as one that was not.
 #include <graze/fuzz/campaign.hpp>
 #include <graze/fuzz/external.hpp>
+#include <graze/support/files.hpp>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -78,8 +80,12 @@ struct campaign_state {
   bool add(const finished_piece& p);
 };
 
-/// One line, without its end.
+/// One line, without its end; and back, where any text is refused that is no piece of the plan.
 std::string to_json_line(const finished_piece& p);
+expected<finished_piece> piece_from(std::string_view line, const stored_plan& plan);
+
+/// The text of plan.json; any text is refused that is none, or of which a part does not exist.
+expected<stored_plan> plan_from(std::string_view text);
 
 /// The name of a file with this content: its UUID (version 5: SHA-1; namespace 0), 32 hex digits.
 std::string content_hash(std::string_view content);
@@ -90,8 +96,8 @@ struct finding_file {
 };
 finding_file file_of(finding kind, std::string_view traversal, const trial& shrunk);
 
-/// Replaces a file by one with this content, or leaves all as it was; synced. Empty, or the reason.
-[[nodiscard]] std::string write_atomically(const std::string& path, std::string_view content);
+/// The file of a finding of this hash.
+std::string finding_path(const std::string& folder, const std::string& hash);
 
 /// A folder's plan; its finished pieces are added to `state`. Reads only; a last line that was cut
 /// off is left out.
@@ -111,9 +117,6 @@ public:
   /// differs, that another process holds the folder, or what cannot be read.
   static expected<campaign_store> open(const std::string& folder, stored_plan plan,
                                        const std::vector<std::string>& given);
-  campaign_store(campaign_store&& other) noexcept;
-  campaign_store& operator=(campaign_store&&) = delete;
-  ~campaign_store();
 
   [[nodiscard]] const stored_plan& plan() const { return plan_; }
   [[nodiscard]] const campaign_state& state() const { return state_; }
@@ -121,16 +124,17 @@ public:
   /// A folder that was there and had finished pieces.
   [[nodiscard]] bool resumed() const { return resumed_; }
 
-  /// Findings first, then the line: a line's findings are always there. Empty, or the reason.
-  [[nodiscard]] std::string keep(const finding_file& f) const;
-  [[nodiscard]] std::string append(const finished_piece& p);
+  /// Findings first, then the line: a line's findings are always there.
+  support::status keep(const finding_file& f) const;
+  support::status append(const finished_piece& p);
 
 private:
   campaign_store() = default;
   std::string folder_;
   stored_plan plan_;
   campaign_state state_;
-  int lock_ = -1, progress_ = -1;
+  support::descriptor lock_;
+  std::optional<support::append_file> progress_;
   bool resumed_ = false;
 };
 

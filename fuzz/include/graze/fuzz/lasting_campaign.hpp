@@ -21,10 +21,9 @@ struct campaign_listener {
 };
 
 /// Works on the unfinished pieces, lowest first, until the budget is used up or `stop` is true; an
-/// unfinished piece is left for the next start. Empty, or why the folder cannot be written.
-[[nodiscard]] std::string run_lasting(campaign_store& store, const campaign_plan& plan,
-                                      unsigned threads, const std::atomic<bool>& stop,
-                                      const campaign_listener& tell);
+/// unfinished piece is left for the next start. Refused where the folder cannot be written.
+support::status run_lasting(campaign_store& store, const campaign_plan& plan, unsigned threads,
+                            const std::atomic<bool>& stop, const campaign_listener& tell);
 
 /// Shards of one campaign together.
 struct merged_campaign {
@@ -32,6 +31,7 @@ struct merged_campaign {
   campaign_state state;
   std::vector<std::string> folders;
   std::map<std::string, std::string> files; ///< of each finding, by hash
+  std::size_t lost = 0;                     ///< so many of these are not there
 };
 /// Each piece counts once, in however many folders it is. The reason says what differs.
 expected<merged_campaign> merge_campaigns(const std::vector<std::string>& folders);

@@ -1,6 +1,7 @@
 #pragma once
 /// A program at the other end of two pipes. POSIX.
 #include <chrono>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <sys/types.h>
@@ -8,10 +9,17 @@
 
 namespace graze::fuzz {
 
+/// A traversal could not be asked, for want of processes, pipes or descriptors: no fault of its own.
+class cannot_ask : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Runs `sh -c COMMAND` in a process group of its own; lines go to its standard input and come from
 /// its standard output. Writing never waits for a peer that does not read: both directions move
 /// while a line is waited for, so that full pipes cannot lock the two up. The process is killed
-/// when the thread that started it ends, so that nothing is left of a campaign that was killed.
+/// when the thread that started it ends, and its group by a keeper when this process ends, however
+/// that ends: nothing is left of a campaign that was killed.
 class peer_process {
 public:
   using clock = std::chrono::steady_clock;
@@ -24,8 +32,8 @@ public:
   peer_process(const peer_process&) = delete;
   peer_process& operator=(const peer_process&) = delete;
 
-  /// False when the system has no pipe or process to give.
-  bool start();
+  /// Throws cannot_ask when the system has no pipe or process to give.
+  void start();
   /// Closes the pipes, waits a moment for the end, and kills what is left of the process group.
   void stop(std::chrono::milliseconds patience = std::chrono::milliseconds(100));
   /// It was started, by this thread, and not stopped.

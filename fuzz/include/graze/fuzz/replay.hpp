@@ -25,6 +25,9 @@ struct replay_case {
   trial at;
 };
 
+/// Bounds of a replay file: 64 KiB a line, a million lines.
+inline constexpr std::size_t longest_replay_line = 1 << 16, most_replay_lines = 1'000'000;
+
 /// Reads a whole file ("-" is standard input); lines of blanks are skipped. Refuses the file if any
 /// line is wrong: "FILE:LINE: reason".
 expected<std::vector<replay_case>> read_replay_file(const std::string& path);

@@ -15,9 +15,12 @@ struct counterexample {
   trial shrunk;
 };
 
-/// Nothing when the campaign found nothing. With `shrink_it` false `shrunk` is the ray as found.
-std::optional<counterexample>
-counterexample_of(const campaign_plan& plan, const campaign_result& result, bool shrink_it = true);
+/// Nothing when the campaign found nothing. With `shrink_it` false `shrunk` is the ray as found; once
+/// `stop` is set, what there is then.
+std::optional<counterexample> counterexample_of(const campaign_plan& plan,
+                                                const campaign_result& result,
+                                                bool shrink_it = true,
+                                                const std::atomic<bool>* stop = nullptr);
 
 /// A row a generator and one for all.
 std::string table(const campaign_plan& plan, const campaign_result& result);

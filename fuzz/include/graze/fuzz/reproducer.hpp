@@ -9,6 +9,7 @@
 ///
 /// NAME is traversal-finding-HASH, the hash being that of the replay line: one case, one name.
 #include <graze/fuzz/replay.hpp>
+#include <graze/support/status.hpp>
 
 namespace graze::fuzz {
 
@@ -41,8 +42,8 @@ std::string reproducer_snippet(const reproduction& r);
 /// SVG 1.1, 600 px wide.
 std::string reproducer_picture(const reproduction& r);
 
-/// Makes the folder if it is not there; the reason, if nothing can be written to it.
-std::string refusal_of_folder(const std::string& folder);
+/// Makes the folder if it is not there; refused if nothing can be written to it.
+support::status prepare_folder(const std::string& folder);
 
 /// Writes the four files, each whole or not at all, NAME.json last. Gives the path without its
 /// ending; refuses when a file cannot be written.

@@ -1,5 +1,6 @@
 #pragma once
 /// Makes a failing trial small: few octants, few levels, few significant bits, and integers.
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <graze/fuzz/properties.hpp>
@@ -35,9 +36,11 @@ inline shrink_deadline usual_deadline() {
   return std::chrono::steady_clock::now() + std::chrono::seconds(10);
 }
 
-/// The same for a traversal: keeps `kind` among the findings, judged exactly each time.
+/// The same for a traversal: keeps `kind` among the findings, judged exactly each time. Once `stop`
+/// is set, what there is then is given.
 trial shrink(const trial& failing, traversal& under_test, finding kind,
-             unsigned evaluations = 30'000, shrink_deadline end = usual_deadline());
+             unsigned evaluations = 30'000, shrink_deadline end = usual_deadline(),
+             const std::atomic<bool>* stop = nullptr);
 
 /// The simplest of a few shrunk trials of this kind of finding that were small from the start
 /// (levels 1 to 3, unit octants, integers of few bits first); nothing if none fails. Always the
@@ -45,6 +48,7 @@ trial shrink(const trial& failing, traversal& under_test, finding kind,
 /// kind.
 std::optional<trial> small_witness(traversal& under_test, finding kind,
                                    unsigned evaluations = 10'000,
-                                   shrink_deadline end = usual_deadline());
+                                   shrink_deadline end = usual_deadline(),
+                                   const std::atomic<bool>* stop = nullptr);
 
 } // namespace graze::fuzz

@@ -43,7 +43,10 @@ inline constexpr std::uint32_t octree_file_version = 1;
 /// hold.
 [[nodiscard]] expected<described_octree> decode_octree(std::span<const unsigned char> bytes);
 
-/// decode_octree of a file; the reason names it.
+/// Bytes of a file: more than 2^32 nodes and as many leaves need.
+inline constexpr std::uint64_t largest_octree_file = std::uint64_t{6} << 32;
+
+/// decode_octree of a regular file; the reason names it.
 [[nodiscard]] expected<described_octree> load_octree(const std::filesystem::path& file);
 
 } // namespace graze::octree

@@ -1,24 +1,22 @@
 #pragma once
-/// Voxelization on several threads with oneTBB: the bytes of voxelize_by, for any number of
-/// threads. The only header of graze::octree that needs oneTBB; link the target
-/// graze::octree_parallel, or TBB::tbb yourself.
+/// Voxelization on several threads: the bytes of voxelize_by, for any number of threads. The only header
+/// of graze::octree that needs more than the package has; link the target graze::octree_parallel.
 #include <graze/needs_cxx20.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <functional>
 #include <graze/octree/voxelizer.hpp>
-#include <memory>
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
+#include <graze/support/threads.hpp>
+#include <map>
+#include <mutex>
 #include <optional>
+#include <thread>
 
 namespace graze::octree {
 
 struct parallel_options {
-  int threads = 0; ///< 0: as many as oneTBB takes by default
+  int threads = 0; ///< 0: one a core
   /// Asked now and then; once true the voxelization is given up.
   const std::atomic<bool>* stop = nullptr;
   /// Told how many of how many parts are done, from one thread at a time.
@@ -34,8 +32,7 @@ public:
   using inner = sparse_octree::builder::inner;
 
   divided_voxelization(const J& judge, const root_cube& root)
-      : judge_(judge), root_(root), divided_at_(std::min(root.level() - 1, 4)),
-        builders_([root] { return std::make_unique<sparse_octree::builder>(root); }) {
+      : judge_(judge), root_(root), divided_at_(std::min(root.level() - 1, 4)) {
     [[maybe_unused]] const typename J::scope scope;
     divide(octant(root.box()), 0);
   }
@@ -44,7 +41,7 @@ public:
   /// Different parts at the same time.
   void build(std::size_t i) {
     [[maybe_unused]] const typename J::scope scope;
-    sparse_octree::builder& to = *builders_.local();
+    sparse_octree::builder& to = own_builder();
     part p{};
     p.from = &to;
     p.first_node = to.next_node();
@@ -88,6 +85,12 @@ private:
     std::size_t first_child;
     [[nodiscard]] inner as_inner() const { return {mask, static_cast<std::uint32_t>(first_child)}; }
   };
+
+  /// This thread's.
+  sparse_octree::builder& own_builder() {
+    const std::lock_guard lock(making_);
+    return builders_.try_emplace(std::this_thread::get_id(), root_).first->second;
+  }
 
   void divide(octant o, int level) {
     if (level == divided_at_) {
@@ -139,7 +142,8 @@ private:
   std::vector<octant> octants_;
   std::vector<part> parts_;
   std::vector<place_of_part> places_;
-  oneapi::tbb::enumerable_thread_specific<std::unique_ptr<sparse_octree::builder>> builders_;
+  std::mutex making_;
+  std::map<std::thread::id, sparse_octree::builder> builders_;
   std::atomic<bool> full_{false};
   std::size_t next_open_ = 0, nodes_ = 0, leaves_ = 0;
   std::vector<std::pair<std::size_t, position>> above_;
@@ -150,27 +154,28 @@ private:
 /// voxelize_by on several threads: the same octree, byte for byte. The judge is used by all of them
 /// at once. Refuses an octree of more than 2^32 nodes, a negative number of threads, and, with
 /// "interrupted", to go on once `stop` is set. Peak memory: the octree and its parts, at most twice
-/// the octree beside the vectors' slack. May throw std::bad_alloc.
+/// the octree beside the vectors' slack. May throw std::bad_alloc, and what says
+/// that no thread could be started.
 template <ChildrenJudge J>
 [[nodiscard]] expected<sparse_octree> voxelize_parallel(const J& judge, const root_cube& root,
                                                         const parallel_options& options = {}) {
   if (options.threads < 0)
     return unexpected{"the number of threads is negative"};
-  oneapi::tbb::task_arena arena(options.threads == 0 ? oneapi::tbb::task_arena::automatic
-                                                     : options.threads);
-  using oneapi::tbb::global_control;
-  std::unique_ptr<global_control> allowed; // or else never more than there are cores
-  if (options.threads > 0)
-    allowed = std::make_unique<global_control>(global_control::max_allowed_parallelism,
-                                               static_cast<std::size_t>(options.threads));
+  const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads)
+                                              : std::thread::hardware_concurrency();
   detail::divided_voxelization<J> work(judge, root);
   const auto stopped = [&] {
     return options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
   };
   const auto each_part = [&](auto&& task) {
-    arena.execute([&] {
-      oneapi::tbb::parallel_for(std::size_t{0}, work.count(), [&](std::size_t i) { task(i); });
-    });
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> failed{false};
+    const auto take_parts = [&] {
+      for (std::size_t i = next++; i < work.count() && !failed; i = next++)
+        task(i);
+    };
+    const auto threads = static_cast<unsigned>(std::min<std::size_t>(wanted, work.count()));
+    support::thread_group(threads, take_parts, [&failed] { failed = true; }).join();
   };
   std::size_t done = 0;
   std::atomic<bool> telling{false};

@@ -3,6 +3,7 @@
 /// follows the order of operations below casts the same double rays, bit for bit.
 #include <graze/octree/ray.hpp>
 #include <graze/octree/vector.hpp>
+#include <graze/support/status.hpp>
 
 namespace graze::render {
 
@@ -21,7 +22,7 @@ struct camera {
   /// The directions through the picture are far enough from 0 and from overflow for ray_through:
   /// centre is away from the plane of right and up, the three are of like size, and all of it is
   /// finite and between 1e-100 and 1e100 in size. Otherwise the reason.
-  [[nodiscard]] const char* objection() const;
+  [[nodiscard]] support::status check() const;
 
   /// The ray through the centre of pixel (column, row), row 0 on top, of a width x height picture,
   /// 0 <= column < width, 0 <= row < height, both at most 2^20; pixels are squares, and CR and CU
@@ -34,7 +35,7 @@ struct camera {
   /// direction is 0 where m is a power of two up to 2^14 and the picture a square (u and v have at
   /// most 15 bits, the constants at most 14, so that no operation rounds); otherwise, for a square,
   /// below 2^-49 a component, which is 2 ulps of the largest component (that along z,
-  /// 4.5 < |z| < 8). The direction is not 0 (objection()).
+  /// 4.5 < |z| < 8). The direction is not 0 (check()).
   [[nodiscard]] octree::ray ray_through(int column, int row, int width, int height) const;
   [[nodiscard]] octree::ray ray_through(int column, int row, int size) const {
     return ray_through(column, row, size, size);

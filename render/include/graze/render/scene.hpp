@@ -8,6 +8,7 @@
 #include <graze/render/camera.hpp>
 #include <graze/render/secondary.hpp>
 #include <graze/render/shading.hpp>
+#include <graze/support/status.hpp>
 #include <memory>
 #include <span>
 #include <string>
@@ -84,8 +85,8 @@ std::string formula_of(const scene& s);
 camera fitting_camera(const octree::box& domain);
 std::vector<light> fitting_lights(const octree::box& domain);
 
-/// Why nothing can be seen in a domain: it is empty, or not finite. Empty if it is well.
-std::string objection_to(const octree::box& domain);
+/// Whether something can be seen in a domain: it is not empty, and finite.
+support::status check_domain(const octree::box& domain);
 
 /// The six scenes (docs/definitions.md) that are built in.
 std::span<const scene> scenes();

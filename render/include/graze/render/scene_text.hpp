@@ -7,6 +7,9 @@
 
 namespace graze::render {
 
+/// Bytes of a scene's text.
+inline constexpr std::size_t largest_scene_text = 1 << 21;
+
 /// The scene that a text describes. Any text: refuses what is no scene with a reason that names the
 /// line and column (no JSON), or the key, with the formula's column where that does not parse. That
 /// there is a surface is not looked at (prepare).

@@ -33,6 +33,9 @@ struct file_report {
   [[nodiscard]] int count(verdict v) const;
 };
 
+/// Bounds of a file: 16 MiB (the public suite's are below 1), and statements.
+inline constexpr std::uint64_t largest_file = 1 << 24;
+
 /// Reads a file and judges its statements; refused as by parse(), or when it cannot be read.
 expected<file_report> run_file(const std::string& path);
 

@@ -1,0 +1,43 @@
+#pragma once
+/// How every program starts, is asked, reports and ends.
+///
+/// Exit codes: 0 done, nothing found; 1 a finding, or what the program's own help says; 2 bad input,
+/// and whatever failed: memory, threads, files, standard output; 130 interrupted.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <graze/support/interrupts.hpp>
+#include <graze/support/output.hpp>
+#include <optional>
+#include <string>
+
+namespace graze::support {
+
+enum exit_code { done = 0, found = 1, refused = 2, ended_by_signal = 130 };
+
+/// The main() of every program: the exit code of `body`, but 2 with one line where bounds do not hold on
+/// this machine (rounding::program_may_start), where `body` throws, and where something that it
+/// printed could not be written.
+int run_program(const char* name, int argc, char** argv, int (*body)(int argc, char** argv));
+
+/// Ends at once, threads that are still at work included, after what was printed is written.
+[[noreturn]] void end_program(int code);
+
+/// Adds --version. Then parses; gives an exit code where that is all: help, version, bad input.
+std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv);
+
+/// One line on standard error; gives 2.
+int bad_input(std::string_view reason);
+
+/// The parser wraps -5 where an unsigned number is wanted, and takes what is too large for the
+/// largest; this refuses both.
+CLI::Validator whole_number();
+
+/// One a core, at most as many as may be asked for.
+unsigned default_threads();
+inline constexpr unsigned most_threads = 1024;
+
+template <class... T> void print(fmt::format_string<T...> format, T&&... values) {
+  print_text(fmt::format(format, std::forward<T>(values)...));
+}
+
+} // namespace graze::support

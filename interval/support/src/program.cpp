@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <graze/rounding/environment.hpp>
+#include <graze/support/program.hpp>
+#include <graze/support/text.hpp>
+#include <new>
+#include <thread>
+#include <unistd.h>
+
+namespace graze::support {
+namespace {
+
+int finished(int code) {
+  if (const status written = finish_output(); !written) {
+    complain(written.reason());
+    return refused;
+  }
+  return code;
+}
+
+} // namespace
+
+int run_program(const char* name, int argc, char** argv, int (*body)(int, char**)) {
+  start_output(name);
+  int code = refused;
+  try {
+    if (rounding::program_may_start(name))
+      code = body(argc, argv);
+  } catch (const std::bad_alloc&) {
+    complain("not enough memory");
+  } catch (const std::exception& e) {
+    complain(e.what());
+  } catch (...) {
+    complain("an unexpected exception");
+  }
+  return finished(code);
+}
+
+void end_program(int code) { _exit(finished(code)); }
+
+std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv) {
+  app.set_version_flag("--version", std::string(program_name()) + " " GRAZE_VERSION);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0)
+      return bad_input(std::string(e.what()) + " (--help shows the options)");
+    std::ostringstream help;
+    app.exit(e, help, help);
+    print_text(help.str());
+    return done;
+  }
+  return std::nullopt;
+}
+
+int bad_input(std::string_view reason) {
+  complain(reason);
+  return refused;
+}
+
+CLI::Validator whole_number() {
+  return {[](std::string& text) -> std::string {
+            std::uint64_t value = 0;
+            const auto [end, error] =
+                std::from_chars(text.data(), text.data() + text.size(), value);
+            if (error == std::errc() && end == text.data() + text.size())
+              return {};
+            return text + " is not a whole number, 0 or more, of 64 bits";
+          },
+          "", "whole number"};
+}
+
+unsigned default_threads() {
+  return std::clamp(std::thread::hardware_concurrency(), 1u, most_threads);
+}
+
+} // namespace graze::support
