@@ -37,11 +37,13 @@ campaign_result campaign(const traversal_entry& entry, std::uint64_t rays, unsig
   return run(plan);
 }
 
-/// No child is left, not even one that has ended, but for the keeper, which lives as long as this
-/// process does.
+/// No child is left, not even one that has ended, but for the keeper: the one that runs this very
+/// program, and lives as long as this process does.
 bool no_process_left() {
-  int children = 0;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+  namespace fs = std::filesystem;
+  const fs::path self = fs::read_symlink("/proc/self/exe");
+  int others = 0, keepers = 0;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
     std::ifstream stat(entry.path() / "stat");
     std::string text;
     if (!std::getline(stat, text) || text.rfind(')') == std::string::npos)
@@ -49,9 +51,12 @@ bool no_process_left() {
     char state = 0;
     pid_t parent = 0;
     std::istringstream(text.substr(text.rfind(')') + 1)) >> state >> parent;
-    children += parent == getpid() ? 1 : 0;
+    if (parent != getpid())
+      continue;
+    std::error_code none; // of a child that has ended there is no program
+    (fs::read_symlink(entry.path() / "exe", none) == self ? keepers : others) += 1;
   }
-  return children <= 1;
+  return others == 0 && keepers <= 1;
 }
 
 /// Trials of many kinds, asked as a campaign asks them; what is found on each.
