@@ -3,6 +3,7 @@
 #include <graze/needs_cxx20.hpp>
 
 #include <boost/numeric/interval/interval.hpp>
+#include <boost/numeric/interval/policies.hpp>
 #include <boost/numeric/interval/rounding.hpp>
 #include <concepts>
 #include <graze/boost_rounding.hpp>
@@ -14,10 +15,10 @@ namespace graze {
 struct certain_comparison {};
 
 /// Rounding, checking and comparison of ours, for Boost's class:
-/// boost::numeric::interval<double, graze::policies<>>.
-template <rounding::Backend B = rounding::nearest> struct policies {
-  using rounding = boost_rounding<B>;
-  using checking = graze::checking;
+/// boost::numeric::interval<double, graze::policies<>>. Boost's policies are its base so that Boost's
+/// explicit comparisons (cerlt, poslt, ...) are found without their namespace.
+template <rounding::Backend B = rounding::nearest>
+struct policies : boost::numeric::interval_lib::policies<boost_rounding<B>, checking> {
   using comparison = certain_comparison;
   using backend = B;
 };

@@ -125,4 +125,5 @@ GRAZE_STATEMENT(truth, has_common_point, boost::numeric::overlap(x, y),
                 !ranges::intersection(x, y).is_empty())
 GRAZE_STATEMENT(truth, is_point, singleton(x), x.lo == x.hi)
 GRAZE_STATEMENT(truth, is_less, il::cerlt(x, y), x.hi < y.lo)
+GRAZE_STATEMENT(truth, is_less_unqualified, cerlt(x, y), x.hi < y.lo)
 GRAZE_STATEMENT(truth, text_holds, encloses(printed(x), x), true)
