@@ -4,7 +4,8 @@ install(TARGETS graze_interval graze_boost_rounding graze_octree graze_core_math
 if(TARGET graze_crlibm)
   install(TARGETS graze_crlibm EXPORT graze_targets)
 endif()
-install(DIRECTORY interval/include/ octree/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY interval/include/ octree/geometry/include/ octree/tree/include/ octree/surface/include/
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT graze_targets NAMESPACE graze:: FILE graze-targets.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/graze)
 configure_package_config_file(cmake/graze-config.cmake.in graze-config.cmake

@@ -13,20 +13,27 @@ function(graze_flags target)
   endif()
 endfunction()
 
-# graze_library(NAME [SOURCES...]): the library target graze_NAME, alias graze::NAME, with headers
-# in include/. Header-only when no source is given.
+# graze_library(NAME [SOURCES...] [FOLDERS folder...]): the library target graze_NAME, alias graze::NAME,
+# with headers in include/, or in that of each folder. Header-only when no source is given.
 function(graze_library name)
-  if(ARGN)
-    add_library(graze_${name} STATIC ${ARGN})
+  cmake_parse_arguments(arg "" "" "FOLDERS" ${ARGN})
+  if(arg_UNPARSED_ARGUMENTS)
+    set(kind PUBLIC)
+    add_library(graze_${name} STATIC ${arg_UNPARSED_ARGUMENTS})
     graze_flags(graze_${name})
-    target_include_directories(graze_${name} PUBLIC
-      $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
   else()
+    set(kind INTERFACE)
     add_library(graze_${name} INTERFACE)
     target_compile_features(graze_${name} INTERFACE cxx_std_20)
-    target_include_directories(graze_${name} INTERFACE
-      $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
   endif()
+  set(headers include)
+  if(arg_FOLDERS)
+    list(TRANSFORM arg_FOLDERS APPEND /include OUTPUT_VARIABLE headers)
+  endif()
+  foreach(folder IN LISTS headers)
+    target_include_directories(graze_${name} ${kind} $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>)
+  endforeach()
+  target_include_directories(graze_${name} ${kind} $<INSTALL_INTERFACE:include>)
   add_library(graze::${name} ALIAS graze_${name})
   set_target_properties(graze_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()

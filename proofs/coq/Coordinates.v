@@ -1,5 +1,5 @@
 (** Corners and mid-planes of octants are floating-point numbers, and the sums that
-    octree/include/graze/octree/cube.hpp forms are exact: no rounding takes place in a descent.
+    octree/geometry/include/graze/octree/cube.hpp forms are exact: no rounding takes place in a descent.
 
     - [corner_format]: on [0, 2^E], every coordinate k * 2^(E-NL) of level NL <= prec (53) is a number;
       [corners_exact_iff]: and for no deeper level are all of them; [corner_54]: (2^54-1) * 2^(E-54)

@@ -1,4 +1,4 @@
-(** The floating-point descent of octree/include/graze/octree/{descent,sound}.hpp reports what the
+(** The floating-point descent of octree/tree/include/graze/octree/{descent,sound}.hpp reports what the
     ray meets, in order, end to end: Model_descent.v's [descend] from a root cube whose octants are
     exact (Coordinates.v), for every finite ray and any tree.
 

@@ -1,4 +1,4 @@
-(** The integers of octree/include/graze/octree/determinant_sign.hpp give the sign of
+(** The integers of octree/geometry/include/graze/octree/determinant_sign.hpp give the sign of
       (x.greater - x.less) x_factor - (y.greater - y.less) y_factor.
 
     Numbers here are what `double_parts` takes a double apart into: a sign, a significand below 2^53

@@ -1,4 +1,4 @@
-(** The descent of octree/include/graze/octree over double, joined: coordinates (Coordinates.v), the
+(** The descent of octree/tree over double, joined: coordinates (Coordinates.v), the
     test (Never_miss.v), order (Order.v) and the descent (Descent.v), for every backend whose bounds
     enclose, in any rounding mode of its scope, for every finite ray and every tree.
 

@@ -1,4 +1,4 @@
-(** The exact ray/octant test of octree/include/graze/octree/exact_touch.hpp decides exactly.
+(** The exact ray/octant test of octree/geometry/include/graze/octree/exact_touch.hpp decides exactly.
 
     First the geometry over the reals: a ray is in a box at some t >= 0 if and only if the origin is
     not beyond it and no entry lies after another axis's exit; for closed faces and for open ones.

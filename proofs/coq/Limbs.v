@@ -1,4 +1,4 @@
-(** The chain of 64-bit limbs in sign_of_close_sum (octree/include/graze/octree/determinant_sign.hpp)
+(** The chain of 64-bit limbs in sign_of_close_sum (octree/geometry/include/graze/octree/determinant_sign.hpp)
     adds a term, or subtracts it by complement and carry, modulo 2^(64 n): what Sum_sign.v takes as
     addition modulo 2^512, for n = 8.
 

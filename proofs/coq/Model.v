@@ -1,4 +1,4 @@
-(** The ray/octant test of octree/include/graze/octree/ray_bounds.hpp, one definition a line and with
+(** The ray/octant test of octree/geometry/include/graze/octree/ray_bounds.hpp, one definition a line and with
     its names, over IEEE 754 numbers of any precision (Flocq's, with one NaN).
 
     Reading: [float] is the type of numbers; a [backend] is what graze::rounding::Backend asks for;

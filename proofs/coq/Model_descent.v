@@ -1,4 +1,4 @@
-(** The octants of octree/include/graze/octree/cube.hpp, the split of sound.hpp and the descent of
+(** The octants of octree/geometry/include/graze/octree/cube.hpp, the split of sound.hpp and the descent of
     descent.hpp, with their names, over the numbers and the ray/octant test of Model.v. Definitions
     only.
 

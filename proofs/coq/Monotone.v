@@ -3,7 +3,7 @@
     For directed rounding `lowb` and `uppb` preserve order: where the exact difference grows, the
     bound does not fall ([lowb_monotone], [uppb_monotone]; together, [ordered]). So a box within
     another has the narrower intervals ([touches_box_monotone]), and in the split of
-    octree/include/graze/octree/sound.hpp, where a child takes one bound from its parent and
+    octree/tree/include/graze/octree/sound.hpp, where a child takes one bound from its parent and
     evaluates the other at the mid-plane, the evaluated one tightens ([half_within_parent]). What is
     wider than a passing interval passes; hence [split_monotone]: a child that passes implies that its
     parent does, at each level of a descent.

@@ -2,7 +2,7 @@
     RD(x - y) = -RU(y - x), for every input, zeros, infinities and NaN included. Hence the backend
     that never leaves upward rounding (`upward` of interval/include/graze/rounding/upward.hpp) and
     the directed ones are the same functions, and so is the ray/octant test over either;
-    and `uppb(p, q) = -lowb(q, p)`, as octree/include/graze/octree/ray_bounds.hpp says.
+    and `uppb(p, q) = -lowb(q, p)`, as octree/geometry/include/graze/octree/ray_bounds.hpp says.
 
     For every precision and exponent range; at the end for binary64. *)
 From Coq Require Import ZArith Bool Reals Lra FunctionalExtensionality SpecFloat.

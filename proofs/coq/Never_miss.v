@@ -1,4 +1,4 @@
-(** The ray/octant test never misses (octree/include/graze/octree/ray_bounds.hpp, `touches_box`).
+(** The ray/octant test never misses (octree/geometry/include/graze/octree/ray_bounds.hpp, `touches_box`).
 
     If a point o + t d of the ray, t >= 0 a real, lies in a box with finite corners, the test over
     IEEE 754 numbers is true. Nothing is asked of the magnitudes: differences and products may
@@ -11,7 +11,7 @@
 
     - [lowb_encloses], [uppb_encloses], [bounds_enclose]: each bound encloses the exact one;
     - [lowb_never_nan], [uppb_never_nan], [within_never_nan]: and is never NaN;
-    - [half_encloses]: the same of the split of octree/include/graze/octree/sound.hpp;
+    - [half_encloses]: the same of the split of octree/tree/include/graze/octree/sound.hpp;
     - [never_miss_scaled]: also where the ray is prepared by another direction of the same points;
     - [never_miss], [never_miss_upward], [never_miss_owned] for every format; [never_miss_backend] for
       any backend that is correctly rounded; [never_miss_binary64], [never_miss_upward_binary64] for
@@ -382,7 +382,7 @@ Proof.
 Qed.
 
 (** So a ray may be prepared by its direction times any k > 0
-    (octree/include/graze/octree/scaled_direction.hpp), in both conventions. *)
+    (octree/geometry/include/graze/octree/scaled_direction.hpp), in both conventions. *)
 Theorem never_miss_scaled : forall (c : convention) (o d s lo hi : three float) (k : R),
   finite3 o -> finite3 s -> finite3 lo -> finite3 hi -> (0 < k)%R -> times k d s ->
   (exists t, (0 <= t)%R /\ ray_in c o d lo hi t) ->

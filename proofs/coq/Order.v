@@ -1,4 +1,4 @@
-(** Front to back: in the order of octree/include/graze/octree/sound.hpp (index XOR the bits of
+(** Front to back: in the order of octree/tree/include/graze/octree/sound.hpp (index XOR the bits of
     origin >= mid), half-open octants come in the order in which a ray passes them. On reals;
     Descent.v carries it to the floating-point descent, whose mid-planes are exact (Coordinates.v).
 

@@ -1,4 +1,4 @@
-(** What octree/include/graze/octree/cube.hpp accepts as a root, and its octants by index.
+(** What octree/geometry/include/graze/octree/cube.hpp accepts as a root, and its octants by index.
 
     - [make_on_grid]: what root_cube::make checks on an axis is what Coordinates.v asks of it.
     - [octant_from_lo]: root_cube::octant's lo + index * size is exact where the product is a number:

@@ -1,4 +1,4 @@
-(** The loop of octree/include/graze/octree/descent.hpp over an explicit stack, with a visitor that may
+(** The loop of octree/tree/include/graze/octree/descent.hpp over an explicit stack, with a visitor that may
     stop it, does what the recursion of Model_descent.v does.
 
     - [loop_correct]: with enough turns, descend() visits the cells of [Model_descent.descend] in

@@ -1,5 +1,5 @@
 (** The exact predicate's path for operands of any exponents (sign_of_sum, sign_of_close_sum and
-    determinant_sign_of_any of octree/include/graze/octree/determinant_sign.hpp): a sum of at most
+    determinant_sign_of_any of octree/geometry/include/graze/octree/determinant_sign.hpp): a sum of at most
     four products, taken in groups from the highest exponents down, each group in 512 bits of two's
     complement, has the sign that is returned, whatever the gaps of the exponents.
 

@@ -1,4 +1,4 @@
-(** What the voxelizer discards holds no zero (octree/include/graze/octree/inclusion.hpp and
+(** What the voxelizer discards holds no zero (octree/surface/include/graze/octree/inclusion.hpp and
     voxelizer.hpp).
 
     First over the reals, for any f: an enclosure without 0; equal signs at the eight corners and

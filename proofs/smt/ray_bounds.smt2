@@ -1,4 +1,4 @@
-; octree/include/graze/octree/ray_bounds.hpp over binary64, with its names. A bound takes C rounded
+; octree/geometry/include/graze/octree/ray_bounds.hpp over binary64, with its names. A bound takes C rounded
 ; both ways, as the prepared axis holds it.
 (define-sort F () Float64)
 (define-fun zero () F (_ +zero 11 53))

@@ -4,7 +4,7 @@
 set(mutants ${there}/mutants)
 set(mutant_compiler "${GRAZE_TEST_GXX}")
 
-# graze_mutant(ID "what is wrong" FILE library/header FROM text TO text [LANES baseline]
+# graze_mutant(ID "what is wrong" FILE header FROM text TO text [LANES baseline]
 #              [COMPILER path] [FLAGS ...] [REPLAY argument])
 function(graze_mutant id what)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "FILE;FROM;TO;COMPILER;LANES;REPLAY" "FLAGS")
@@ -18,11 +18,8 @@ function(graze_mutant id what)
   if(NOT arg_LANES)
     set(arg_LANES none)
   endif()
-  string(FIND "${arg_FILE}" "/" slash)
-  string(SUBSTRING "${arg_FILE}" 0 ${slash} library)
-  math(EXPR slash "${slash} + 1")
-  string(SUBSTRING "${arg_FILE}" ${slash} -1 header)
-  set(original ${PROJECT_SOURCE_DIR}/${library}/include/graze/${header})
+  string(REGEX REPLACE "^.*/include/" "" header ${arg_FILE})
+  set(original ${PROJECT_SOURCE_DIR}/${arg_FILE})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${original})
   file(READ ${original} text)
   string(FIND "${text}" "${arg_FROM}" first)
@@ -32,7 +29,7 @@ function(graze_mutant id what)
                         "${original}")
   endif()
   string(REPLACE "${arg_FROM}" "${arg_TO}" text "${text}")
-  file(CONFIGURE OUTPUT ${mutants}/${id}/graze/${header} CONTENT "${text}" @ONLY)
+  file(CONFIGURE OUTPUT ${mutants}/${id}/${header} CONTENT "${text}" @ONLY)
   if(NOT compiler)
     return() # CMakeLists.txt has said so
   endif()
@@ -51,7 +48,7 @@ if(mutant_compiler)
   endforeach()
 endif()
 
-set(file octree/octree/ray_bounds.hpp)
+set(file octree/geometry/include/graze/octree/ray_bounds.hpp)
 graze_mutant(lowb_swapped "Cdn and Cup swapped in lowb" FILE ${file}
              FROM "u < number(0), a.c_up, a.c_down" TO "u < number(0), a.c_down, a.c_up")
 graze_mutant(uppb_swapped "Cdn and Cup swapped in uppb" FILE ${file}
@@ -102,7 +99,7 @@ graze_mutant(pair_across "< for <= on a lower face in both bounds at a plane" FI
 graze_mutant(one_rotation "the wrong two axes in C of y" FILE ${file}
              FROM "prepare(o[1], d[1], d[2], d[0])" TO "prepare(o[1], d[1], d[2], d[1])")
 
-set(file octree/octree/sound.hpp)
+set(file octree/tree/include/graze/octree/sound.hpp)
 graze_mutant(order_reversed "the order reversed" FILE ${file}
              FROM "index = i ^ origin_side" TO "index = i ^ origin_side ^ 7u")
 graze_mutant(order_fixed "the order of the indices" FILE ${file}
@@ -116,7 +113,7 @@ graze_mutant(half_kept "a half keeps its parent's exit" FILE ${file}
 graze_mutant(root_owned "the root's far faces not closed" FILE ${file}
              FROM "within<convention::closed>" TO "within<C>")
 
-set(file octree/octree/sound_eight.hpp)
+set(file octree/tree/include/graze/octree/sound_eight.hpp)
 set(lanes LANES baseline)
 graze_mutant(lanes_not_strict "<= for < in the lanes" FILE ${file} ${lanes}
              FROM "Path::less(zero.part[i], u.part[i])"
@@ -130,13 +127,13 @@ graze_mutant(lanes_across "no rule for zero in the lanes" FILE ${file} ${lanes}
 
 # Flushing of subnormal numbers, within a scope and where a scope or a check lets it pass.
 if(x86_64)
-  set(file interval/rounding/hardware.hpp)
+  set(file interval/include/graze/rounding/hardware.hpp)
   graze_mutant(scope_ftz "FTZ set in the scope" FILE ${file} FROM "up = 0x5f80" TO "up = 0xdf80")
   graze_mutant(scope_daz "DAZ set in the scope" FILE ${file} FROM "up = 0x5f80" TO "up = 0x5fc0")
   graze_mutant(scope_keeps "a scope that keeps FTZ and DAZ as found" FILE ${file} REPLAY --flush
                FROM "set_mxcsr(static_cast<unsigned>(m))"
                TO "set_mxcsr(static_cast<unsigned>(m) | (found_ & 0x8040u))")
-  set(file interval/rounding/environment.hpp)
+  set(file interval/include/graze/rounding/environment.hpp)
   graze_mutant(ftz_let_pass "FTZ is not refused" FILE ${file} REPLAY --flush
                FROM "(!here.knows_subnormal_results())" TO "(false)")
   graze_mutant(daz_let_pass "DAZ is not refused" FILE ${file} REPLAY --flush
@@ -144,7 +141,7 @@ if(x86_64)
 
   # Without -frounding-math the code holds (variants.cmake) by its barriers alone: without those it
   # does not.
-  set(file interval/rounding/hardware.hpp)
+  set(file interval/include/graze/rounding/hardware.hpp)
   foreach(name IN LISTS compiler_names)
     string(REPLACE "+" "x" short ${name})
     graze_mutant(no_barrier_${short} "no -frounding-math and no barrier (${name})" FILE ${file}
@@ -155,7 +152,7 @@ if(x86_64)
 endif()
 
 # The third backend.
-set(file interval/rounding/nearest.hpp)
+set(file interval/include/graze/rounding/nearest.hpp)
 set(all FLAGS -O1)
 graze_mutant(nearest_sum "a sum to nearest that is not corrected" FILE ${file} ${all}
              FROM "sum = up_if(error > 0, sum);" TO "")
@@ -163,12 +160,12 @@ graze_mutant(nearest_product "a tiny or huge product to nearest that is not corr
              FILE ${file} ${all}
              FROM "if (!(a.normal() && b.normal() && p.normal())) [[unlikely]] {\n      product"
              TO "if (!(a.normal() && b.normal() && p.normal())) [[unlikely]] {\n      if (false) product")
-set(file interval/rounding/switching.hpp)
+set(file interval/include/graze/rounding/switching.hpp)
 graze_mutant(switching_one_way "a mode that is not switched" FILE ${file} ${all}
              FROM "down = hardware::mode::down, up = hardware::mode::up"
              TO "down = hardware::mode::up, up = hardware::mode::up")
 if(x86_64)
-  set(file interval/rounding/split.hpp)
+  set(file interval/include/graze/rounding/split.hpp)
   graze_mutant(split_nearest "the x87 rounds to nearest in split" FILE ${file} ${all}
                FROM "up_53_bits = 0x0a7f" TO "up_53_bits = 0x027f")
 endif()
@@ -193,7 +190,7 @@ endforeach()
 # What clang's -fassociative-math does to the sum of `nearest` without the pragma that forbids it.
 if("clang++" IN_LIST compiler_names)
   graze_mutant(nearest_reassociated "a sum whose order clang++ may change"
-               FILE interval/rounding/hardware.hpp COMPILER "${path_of_clang++}"
+               FILE interval/include/graze/rounding/hardware.hpp COMPILER "${path_of_clang++}"
                FLAGS -O2 -fassociative-math -fno-signed-zeros -fno-trapping-math
                FROM "_Pragma(\"clang fp reassociate(off)\")" TO "")
 endif()

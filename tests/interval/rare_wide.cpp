@@ -1,6 +1,6 @@
 // What the wide kernels rest on: their constants, and how near doubles come to multiples of pi/2.
-#include "../../interval/src/wide_functions.hpp"
-#include "../../interval/src/wide_power.hpp"
+#include "../../interval/src/exact/wide_functions.hpp"
+#include "../../interval/src/exact/wide_power.hpp"
 #include "rare_judge.hpp"
 #include <catch2/catch.hpp>
 #include <gmpxx.h>

@@ -40,7 +40,8 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-INCLUDES = ("interval/include", "octree/include", "octree/formula/include", "octree/file/include",
+INCLUDES = ("interval/include", "octree/geometry/include", "octree/tree/include",
+            "octree/surface/include", "octree/formula/include", "octree/file/include",
             "fuzz/include", "proofs/oracle/include")
 CHOICE = """#pragma once
 /* One fault of many, chosen when the program starts. */

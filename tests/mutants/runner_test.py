@@ -11,7 +11,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 # A tree with one program, made by hand; the runner asks Ninja how.
 NINJA = """rule cxx
-  command = c++ -std=c++17 -I{root}/octree/include -MD -MF $out.d -o $out -c $in
+  command = c++ -std=c++17 -I{root}/interval/include -MD -MF $out.d -o $out -c $in
 rule link
   command = : && c++ $in -o $out && :
 build check.dir/check.cpp.o: cxx {root}/check.cpp
@@ -45,7 +45,7 @@ name = "check"
 target = "check"
 sources = ["check.cpp"]
 [[program.group]]
-file = "octree/include/graze/sum.hpp"
+file = "interval/include/graze/sum.hpp"
 test = "sum"
 faults = [
   ['total + 1', 'total + 2'],
@@ -61,8 +61,8 @@ faults = [
 def main():
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        (root / "octree/include/graze").mkdir(parents=True)
-        (root / "octree/include/graze/sum.hpp").write_text(SUM)
+        (root / "interval/include/graze").mkdir(parents=True)
+        (root / "interval/include/graze/sum.hpp").write_text(SUM)
         (root / "check.cpp").write_text(CHECK)
         (root / "tests/mutants").mkdir(parents=True)
         runner = root / "tests/mutants/run_faults.py"

@@ -2,7 +2,7 @@
 """usage: coq_constants.py ROOT [--self-test]
 
 The constants of the C++ code that the Coq files repeat are the same numbers there. Each row: a file of
-octree/include/graze/octree and a pattern with the constant, a file of proofs/coq and a pattern, in which a
+octree/geometry/include/graze/octree and a pattern with the constant, a file of proofs/coq and a pattern, in which a
 double is (53-bit significand, exponent). --self-test: each row notices a constant that is another one.
 Exit codes: 0 the same, 1 one is not, or is not found.
 """
@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-CODE = "octree/include/graze/octree"
+CODE = "octree/geometry/include/graze/octree"
 HEX = r"(-?0x[0-9a-f.]+(?:p[+-]?\d+)?)"
 COQ_DOUBLE = r"Definition {} : double := @B754_finite 53 1024 false (\d+) \(?(-?\d+)\)? eq_refl"
 

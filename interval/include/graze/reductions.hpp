@@ -1,6 +1,6 @@
 #pragma once
 /// Reductions of IEEE 1788.1, 12.12.12: sums of any length, exact until one final rounding. Defined
-/// in interval/src/reductions.cpp (a long accumulator).
+/// in interval/src/functions/reductions.cpp (a long accumulator).
 #include <graze/needs_cxx20.hpp>
 
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 /// Text and intervals (IEEE 1788-2015, 9.7, 12.11, 13.4): exact in both directions. Defined in
-/// interval/src/text_to_interval.cpp and interval_to_text.cpp.
+/// interval/src/text/text_to_interval.cpp and interval_to_text.cpp.
 #include <graze/needs_cxx20.hpp>
 
 #include <graze/construct.hpp>

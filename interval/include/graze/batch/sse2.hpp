@@ -52,7 +52,7 @@ struct sse2_registers {
     return x;
   }
   /// SSE2 has no fused operation. In round to nearest, by the argument of rounding::fma_up
-  /// (interval/src/fused.cpp), in both lanes if both lie where it holds, else one at a time.
+  /// (interval/src/functions/fused.cpp), in both lanes if both lie where it holds, else one at a time.
   GRAZE_BATCH_OPERATION vector fma_up(vector x, vector y, vector z) {
     const vector p = mul(x, y), size = abs(p), operands = max_or_second(abs(x), abs(y));
     const mask safe = both(

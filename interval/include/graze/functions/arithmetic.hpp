@@ -1,6 +1,6 @@
 #pragma once
 /// The arithmetic of IEEE 1788.1: forward operations that need no elementary function. Error: 0 ulp
-/// per endpoint. Defined in interval/src/arithmetic.cpp and integer_valued.cpp.
+/// per endpoint. Defined in interval/src/functions/arithmetic.cpp and integer_valued.cpp.
 #include <graze/needs_cxx20.hpp>
 
 #include <graze/functions/apply.hpp>

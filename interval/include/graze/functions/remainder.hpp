@@ -1,6 +1,6 @@
 #pragma once
 /// The remainder of a division, as C's fmod has it. Not an operation of IEEE 1788.1, hence without
-/// a decoration. Error: 0 ulp per endpoint. Defined in interval/src/remainder.cpp.
+/// a decoration. Error: 0 ulp per endpoint. Defined in interval/src/functions/remainder.cpp.
 #include <graze/needs_cxx20.hpp>
 
 #include <graze/bounds.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 /// Set operations and cancellative addition of IEEE 1788.1. Their decorated results are `trv`: they
-/// are no point functions. Error: 0 ulp per endpoint. Defined in interval/src/sets.cpp.
+/// are no point functions. Error: 0 ulp per endpoint. Defined in interval/src/functions/sets.cpp.
 #include <graze/needs_cxx20.hpp>
 
 #include <graze/functions/apply.hpp>

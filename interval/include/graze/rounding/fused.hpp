@@ -1,6 +1,6 @@
 #pragma once
 /// x y + z rounded once, towards -inf or +inf: no fused instruction is needed, and one that the
-/// compiler might use is not relied on. Defined in interval/src/fused.cpp.
+/// compiler might use is not relied on. Defined in interval/src/functions/fused.cpp.
 namespace graze::rounding {
 
 /// Correctly rounded on every input, in any environment; NaN and infinities as IEEE 754 has it for
