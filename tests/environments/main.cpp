@@ -79,17 +79,9 @@ asked ask(const row& r, const environment& e, bool promised) {
   return a;
 }
 
-bool flushes(const environment& e) { return (e.mxcsr & 0x8040) != 0; }
 bool to_nearest(const environment& e) { return (e.mxcsr & 0x6000) == 0; }
 bool promised(const row& r, const environment& e) {
-  switch (r.promised) {
-  case promise::immune:
-    return true;
-  case promise::immune_to_flushing:
-    return to_nearest(e);
-  default:
-    return to_nearest(e) && !flushes(e);
-  }
+  return r.promised == promise::immune || to_nearest(e);
 }
 
 struct tally {
@@ -126,6 +118,18 @@ int usage() {
 } // namespace
 
 int main(int argc, char** argv) {
+#if defined(__AVX2__)
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
+    std::puts("graze: skipped, the processor lacks AVX2 or FMA");
+    return 0;
+  }
+#endif
+#if defined(__AVX512F__)
+  if (!__builtin_cpu_supports("avx512f") || !__builtin_cpu_supports("avx512dq")) {
+    std::puts("graze: skipped, the processor lacks AVX-512");
+    return 0;
+  }
+#endif
   const environment found{"as found", hardware::mxcsr() & ~0x3fu, hardware::x87_control(), false};
   bool table = false, only_found = false;
   unsigned thinning = 97;
@@ -145,9 +149,11 @@ int main(int argc, char** argv) {
   if (only_found && found.mxcsr == 0x1f80)
     std::printf("this process began as a program should\n");
 
-  std::vector<row> rows = rows_of_functions(thinning);
-  for (std::vector<row> more : {rows_of_types(thinning), rows_of_octrees()})
+  std::vector<row> rows = rows_of_types(thinning);
+#if !defined(GRAZE_TYPES_ALONE)
+  for (std::vector<row> more : {rows_of_functions(thinning), rows_of_octrees()})
     rows.insert(rows.end(), more.begin(), more.end());
+#endif
   std::vector<environment> environments(std::begin(known), std::end(known));
   if (only_found)
     environments = {found};

@@ -47,8 +47,7 @@ private:
 /// What holds for a row where the environment is not that of a program's start.
 enum class promise {
   immune,             ///< the same answers everywhere
-  immune_to_flushing, ///< the same where the mode is to-nearest
-  needs_default,      ///< asks for a program's start; rounding::refusal_for_nearest() tells
+  immune_to_flushing, ///< where the mode is to-nearest; rounding::refusal_for_nearest() tells
 };
 
 struct row {

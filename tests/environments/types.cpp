@@ -12,38 +12,37 @@ namespace graze::environments {
 
 namespace {
 
-enum class operators { all, sums, products };
-
-template <class I> void ask_operators(answers& a, unsigned thinning, operators which) {
-  const std::vector<bounds>& all = edge_intervals();
+/// The intervals at which environments differ, outward as floats if I has those.
+template <class I> std::vector<I> operands() {
   std::vector<I> x;
-  for (const bounds& b : all)
-    x.push_back(I(b.lo, b.hi, true));
-  const auto keep = [&a](const I& r) { a.bounds_are(r.lower(), r.upper()); };
+  for (const bounds& b : edge_intervals())
+    if constexpr (std::same_as<typename I::base_type, double>)
+      x.push_back(I(b.lo, b.hi, true));
+    else
+      x.push_back(I(rounding::narrow_down(b.lo), rounding::narrow_up(b.hi), true));
+  return x;
+}
+double exact(double bound) { return bound; }
+double exact(float bound) { return rounding::widened(bound); } // a conversion might flush
+template <class I> void ask_operators(answers& a, unsigned thinning) {
+  const std::vector<bounds>& all = edge_intervals();
+  static const std::vector<I> x = operands<I>(); // made at a program's start
+  const auto keep = [&a](const I& r) { a.bounds_are(exact(r.lower()), exact(r.upper())); };
   for (std::size_t i = 0; i < x.size() * x.size(); i += thinning) {
     const I &s = x[i / x.size()], &t = x[i % x.size()];
-    if (which != operators::products)
-      keep(s + t), keep(s - t);
-    if (which != operators::sums)
-      keep(s * t), keep(s / t), keep(s * all[i % x.size()].hi);
+    keep(s + t), keep(s - t), keep(s * t), keep(s / t), keep(s * all[i % x.size()].hi);
   }
-  if (which != operators::sums)
-    for (const I& s : x)
-      keep(square(s)), keep(sqrt(s));
+  for (const I& s : x)
+    keep(square(s)), keep(sqrt(s));
 }
-template <class I>
-row of_type(const std::string& name, promise promised, unsigned thinning,
-            operators which = operators::all) {
-  return {name + (which == operators::sums       ? ", + -"
-                  : which == operators::products ? ", * / sqr sqrt"
-                                                 : ""),
-          promised, [=](answers& a) { ask_operators<I>(a, thinning, which); }};
+template <class I> row of_type(const std::string& name, promise promised, unsigned thinning) {
+  return {name, promised, [=](answers& a) { ask_operators<I>(a, thinning); }};
 }
 template <class B> row within_scope(unsigned thinning) {
   return {std::string("unprotected<") + B::name + "> in its scope", promise::immune,
           [=](answers& a) {
             const typename B::scope scope;
-            ask_operators<unprotected<B>>(a, thinning, operators::all);
+            ask_operators<unprotected<B>>(a, thinning);
           }};
 }
 template <class B> using layout_of_boost = boost::numeric::interval<double, policies<B>>;
@@ -68,19 +67,11 @@ template <class B> row operations(promise promised) {
 
 std::vector<row> rows_of_types(unsigned thinning) {
   using namespace rounding;
-#if defined(__AVX512F__)
-  // sums and products by instructions that carry their rounding, but not the flushing
-  constexpr promise of_products = promise::needs_default;
-#else
-  constexpr promise of_products = promise::immune_to_flushing;
-#endif
-  using operators::sums, operators::products;
   return {
-      of_type<interval<>>("interval<>", promise::needs_default, thinning, sums),
-      of_type<interval<>>("interval<>", of_products, thinning, products),
-      of_type<layout_of_boost<nearest>>("policies<nearest>", promise::needs_default, thinning,
-                                        sums),
-      of_type<layout_of_boost<nearest>>("policies<nearest>", of_products, thinning, products),
+      of_type<interval<>>("interval<>", promise::immune_to_flushing, thinning),
+      of_type<layout_of_boost<nearest>>("policies<nearest>", promise::immune_to_flushing, thinning),
+      of_type<float_interval<>>("float_interval<>", promise::immune_to_flushing, thinning),
+      of_type<float_interval<upward>>("float_interval<upward>", promise::immune, thinning),
       operations<nearest>(promise::immune_to_flushing),
       of_type<interval<upward>>("interval<upward>", promise::immune, thinning),
       of_type<layout_of_boost<upward>>("policies<upward>", promise::immune, thinning),

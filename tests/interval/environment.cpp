@@ -101,13 +101,17 @@ TEST_CASE("interval.environment: products and quotients of interval<> where numb
   CHECK(empty(within(flushing, [=] { return sqrt(-least); })));
 }
 
-TEST_CASE("interval.environment: sums of interval<> ask for the default environment",
-          "[regression]") {
-  // [1.5 2^-1022] - [2^-1022] would be [0, 0]
-  CHECK(within(flushing, [] { return rounding::refusal_for_nearest().has_value(); }));
-  using I = graze::interval<graze::rounding::upward>;
-  const I x(0x1.8p-1022), y(0x1p-1022);
-  CHECK(is(within(flushing, [=] { return x - y; }), 0x1p-1023, 0x1p-1023));
+TEMPLATE_TEST_CASE("interval.environment: sums where numbers are flushed", "[regression]",
+                   graze::rounding::nearest, graze::rounding::upward) {
+  using I = graze::interval<TestType>;
+  const I x(0x1.8p-1022), y(0x1p-1022), least(tiny), one(1);
+  for (const unsigned mxcsr : {0x9f80u, 0x1fc0u, flushing}) {
+    CAPTURE(mxcsr);
+    CHECK(is(within(mxcsr, [=] { return x - y; }), 0x1p-1023, 0x1p-1023));
+    CHECK(is(within(mxcsr, [=] { return least + least; }), 0x1p-1073, 0x1p-1073));
+    CHECK(is(within(mxcsr, [=] { return one + least; }), 1, 0x1.0000000000001p+0));
+    CHECK(is(within(mxcsr, [=] { return one - least; }), 0x1.fffffffffffffp-1, 1));
+  }
 }
 
 TEMPLATE_TEST_CASE("interval.environment: functions are the same in any environment",

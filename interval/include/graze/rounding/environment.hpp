@@ -74,8 +74,8 @@ inline witness witness_within(hardware::mode m) {
 
 /// Why no bound computed in this environment can be trusted, as one line; nothing if all is well.
 /// Either the thread flushes subnormal numbers (FTZ, DAZ: what is compiled in Graze is immune, and
-/// every scope turns it off; plain code and `interval<>` are not: docs/numerics.md), or the machine
-/// does not round as it is told, in the scopes that say how.
+/// every scope turns it off; plain code and comparisons of inlined intervals are not:
+/// docs/numerics.md), or the machine does not round as it is told, in the scopes that say how.
 inline std::optional<std::string> refusal() {
   const detail::witness here = detail::witness_of_thread();
   if (!here.knows_subnormal_results())

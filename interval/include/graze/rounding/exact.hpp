@@ -25,13 +25,20 @@ struct magnitude {
 inline constexpr std::uint64_t sign_bit = 0x8000000000000000;
 inline constexpr std::uint64_t hidden_bit = 0x0010000000000000; // 2^52
 
+[[gnu::always_inline]] inline void hide(std::uint64_t& n) { asm("" : "+r"(n)); }
 GRAZE_EXACT_INLINE std::uint64_t bits_of(double x) { return bit_cast<std::uint64_t>(x); }
 GRAZE_EXACT_INLINE bool negative(double x) { return (bit_cast<std::uint64_t>(x) & sign_bit) != 0; }
 GRAZE_EXACT_INLINE bool finite(double x) {
   return (bit_cast<std::uint64_t>(x) & 0x7ff0000000000000) != 0x7ff0000000000000;
 }
-/// Of either sign. (x == 0 holds for subnormal numbers too, where operands are flushed: DAZ.)
-GRAZE_EXACT_INLINE bool is_zero(double x) { return (bit_cast<std::uint64_t>(x) & ~sign_bit) == 0; }
+/// Of either sign. (x == 0 holds for subnormal numbers too, where operands are flushed: DAZ.) clang
+/// makes x == 0 of an integer comparison of a double's bits; of bits it cannot see, it does not.
+GRAZE_EXACT_INLINE bool is_zero(double x) {
+  std::uint64_t size = bit_cast<std::uint64_t>(x) & ~sign_bit;
+  if (!__builtin_is_constant_evaluated())
+    hide(size);
+  return size == 0;
+}
 /// x < 0 and x > 0, for x not NaN, likewise.
 GRAZE_EXACT_INLINE bool below_zero(double x) { return bit_cast<std::uint64_t>(x) > sign_bit; }
 GRAZE_EXACT_INLINE bool above_zero(double x) { return bit_cast<std::int64_t>(x) > 0; }

@@ -73,13 +73,8 @@ inline constexpr unsigned mxcsr_denormals_zero = 0x0040; ///< DAZ: subnormal ope
 /// MXCSR with all exceptions masked, no flag raised, no flushing, and the rounding named.
 enum class mode : unsigned { nearest = 0x1f80, down = 0x3f80, up = 0x5f80 };
 
-/// What assertions ask: are subnormal numbers what they are, and is the mode to-nearest besides?
-inline bool flushes_nothing() {
-  return (mxcsr() & (mxcsr_flush_to_zero | mxcsr_denormals_zero)) == 0;
-}
-inline bool is_default_environment() {
-  return flushes_nothing() && (mxcsr() & mxcsr_rounding) == 0;
-}
+/// For assertions.
+inline bool rounds_to_nearest() { return (mxcsr() & mxcsr_rounding) == 0; }
 
 /// Sets the SSE mode for its life, then restores the MXCSR found, status flags included. Arithmetic
 /// written with plain operators beside a scope may be moved into it by the compiler: within a

@@ -2,10 +2,10 @@
 /// Rounding up of two doubles at once in the mode to-nearest: the sign of each rounded operation's
 /// exact error tells whether the next double is the bound. x86-64 only.
 ///
-/// Products, quotients and roots are right whether subnormal numbers are flushed (FTZ, DAZ) or not.
-/// Sums are not: operands below 2^-968 would have to be told apart, which was measured to make a sum
-/// take 1.38 times as long. Debug builds assert that sums are asked for in the environment that they
-/// need; rounding::refusal_for_nearest() (environment.hpp) tells a program.
+/// Right whether subnormal numbers are flushed (FTZ, DAZ) or not: quotients and roots look at their
+/// operands as integers, and sums at what the processor makes of a subnormal number, so that where it
+/// is flushed `nearest` adds. Debug builds assert the mode to-nearest, which
+/// rounding::refusal_for_nearest() (environment.hpp) tells a program.
 #include <cassert>
 #include <graze/rounding/exact.hpp>
 #include <graze/rounding/packed.hpp>
@@ -21,10 +21,9 @@ struct emulated_up {
   static GRAZE_INLINE result add(pair x, pair y) {
     GRAZE_IN_ORDER_WRITTEN
 #if defined(__AVX512F__)
-    assert(hardware::flushes_nothing());
-    return {embedded_add(x, y), bits{-1, -1}};
+    return {embedded_add(x, y), keeps_subnormal()};
 #else
-    assert(hardware::is_default_environment());
+    assert(hardware::rounds_to_nearest());
     pin(x), pin(y);
     // Knuth's TwoSum: sum + error = x + y exactly unless something overflows, which reaches `error`
     // as an infinity or NaN.
@@ -32,7 +31,8 @@ struct emulated_up {
     const pair y_part = s - x;
     const pair error = (x - (s - y_part)) + (y - y_part);
     const pair r = up_where(error, s);
-    return {r, (bits)_mm_cmpeq_pd(error - error, both(0))};
+    // neither infinite nor NaN, and 0 + subnormal is subnormal; compared as integers
+    return {r, is_subnormal((error - error) + (pair)subnormal)};
 #endif
   }
 
@@ -41,7 +41,6 @@ struct emulated_up {
 
   static GRAZE_INLINE pair mul(pair x, pair y) {
 #if defined(__AVX512F__)
-    assert(hardware::flushes_nothing());
     return embedded_mul(x, y);
 #else
     pin(x), pin(y);
@@ -77,7 +76,7 @@ struct emulated_up {
   // factor 2^27 + 1 overflows nowhere: every step of the errors below is exact.
   static GRAZE_INLINE bits mul_range([[maybe_unused]] pair x) {
 #if defined(__AVX512F__)
-    return bits{-1, -1};
+    return keeps_subnormal();
 #else
     return div_range(x);
 #endif
@@ -100,6 +99,13 @@ private:
   static constexpr unsigned long long top_bit = 0x8000000000000000;
   static GRAZE_INLINE words both_of(double x) {
     return words{exact::bits_of(x), exact::bits_of(x)};
+  }
+
+  /// 2^-1023 in each half.
+  static constexpr bits subnormal{0x0008000000000000, 0x0008000000000000};
+  /// The sign bit of a half tells.
+  static GRAZE_INLINE bits is_subnormal(pair x) {
+    return (bits)_mm_cmpeq_epi32((__m128i)x, (__m128i)subnormal);
   }
 
   static GRAZE_INLINE void pin(pair& x) { asm("" : "+x"(x) : "m"(hardware::control_words)); }
@@ -153,7 +159,13 @@ private:
   };
 
 #if defined(__AVX512F__)
-  // The instruction carries its rounding; it exists for whole 512-bit registers.
+  /// Neither FTZ nor DAZ. Depends on no operand, so that a loop may ask once.
+  static GRAZE_INLINE bits keeps_subnormal() {
+    pair sum = (pair)subnormal;
+    asm("vaddpd %1, %0, %0" : "+x"(sum) : "x"(both(0)), "m"(hardware::control_words));
+    return is_subnormal(sum);
+  }
+  // The instruction carries its rounding, not the flushing; it exists for whole 512-bit registers.
   static GRAZE_INLINE pair embedded_add(pair x, pair y) {
     pair r;
     asm("vaddpd %{ru-sae%}, %g2, %g1, %g0"
