@@ -5,6 +5,7 @@
 ///   graze-environments --found       in the environment in which this process began, alone
 ///   graze-environments --thinning N  every N-th pair of operands (1: all of some 100,000)
 #include "rows.hpp"
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <graze/rounding/environment.hpp>
@@ -158,32 +159,36 @@ int main(int argc, char** argv) {
   if (only_found)
     environments = {found};
 
-  if (table) {
-    std::printf("| |");
-    for (const environment& e : environments)
-      std::printf("%s|", e.name);
-    std::printf("\n|---|");
-    for (std::size_t i = 0; i < environments.size(); ++i)
-      std::printf("---|");
-    std::printf("\n");
+  std::string head = "| |", rule = "|---|";
+  for (const environment& e : environments) {
+    head += std::string(e.name) + '|';
+    rule += "---|";
   }
+  std::vector<std::pair<std::string, std::string>> lines; // cells, and the rows that have them
   tally all;
   for (const row& r : rows) {
     answers right;
     r.ask(right);
-    if (table)
-      std::printf("| %s |", r.name.c_str());
+    std::string cells;
     for (const environment& e : environments) {
       const unsigned long before = all.broken;
       const std::string cell = verdict(r, e, right, all);
-      if (table)
-        std::printf("%s|", cell.c_str());
-      else if (all.broken != before)
+      cells += cell + '|';
+      if (!table && all.broken != before) {
         std::printf("%s, %s: %s\n", r.name.c_str(), e.name, cell.c_str());
+        std::fflush(stdout);
+      }
     }
-    if (table)
-      std::printf("\n");
-    std::fflush(stdout);
+    const auto same = std::ranges::find(lines, cells, [](const auto& l) { return l.first; });
+    if (same != lines.end())
+      same->second += ", " + r.name;
+    else
+      lines.emplace_back(cells, r.name);
+  }
+  if (table) {
+    std::printf("%s\n%s\n", head.c_str(), rule.c_str());
+    for (const auto& [cells, names] : lines)
+      std::printf("| %s |%s\n", names.c_str(), cells.c_str());
   }
   std::printf("%s%zu rows, %zu environments, %lu answers: %lu not as promised, %lu unsound\n",
               table ? "\n" : "", rows.size(), environments.size(), all.asked, all.broken,
