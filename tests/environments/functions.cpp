@@ -65,35 +65,7 @@ template <class F> void ask_value(answers& a, unsigned thinning) {
 void ask_points(answers& a) {
   for (const double x : edge_numbers()) {
 #define GRAZE_POINT(name) a.bounds_are(point::name##_down(x), point::name##_up(x));
-    GRAZE_POINT(exp)
-    GRAZE_POINT(exp2)
-    GRAZE_POINT(exp10)
-    GRAZE_POINT(expm1)
-    GRAZE_POINT(log)
-    GRAZE_POINT(log2)
-    GRAZE_POINT(log10)
-    GRAZE_POINT(logp1)
-    GRAZE_POINT(sin)
-    GRAZE_POINT(cos)
-    GRAZE_POINT(tan)
-    GRAZE_POINT(asin)
-    GRAZE_POINT(acos)
-    GRAZE_POINT(atan)
-    GRAZE_POINT(sinh)
-    GRAZE_POINT(cosh)
-    GRAZE_POINT(tanh)
-    GRAZE_POINT(asinh)
-    GRAZE_POINT(acosh)
-    GRAZE_POINT(atanh)
-    GRAZE_POINT(cbrt)
-    GRAZE_POINT(cot)
-    GRAZE_POINT(sec)
-    GRAZE_POINT(csc)
-    GRAZE_POINT(acot)
-    GRAZE_POINT(coth)
-    GRAZE_POINT(sech)
-    GRAZE_POINT(csch)
-    GRAZE_POINT(acoth)
+    GRAZE_FOR_EACH_ELEMENTARY(GRAZE_POINT)
 #undef GRAZE_POINT
     for (const int n : exponents) {
       a.bounds_are(point::pown_down(x, n), point::pown_up(x, n));

@@ -111,7 +111,7 @@ TEST_CASE("interval.core_math: with and without fused operations, the same bits 
     double (*fused)(double, double);
   };
 #define GRAZE_ROW(name) {#name, graze_cr_##name, graze_cr_##name##_fma},
-  const one functions[] = {GRAZE_UNARY_FUNCTIONS(GRAZE_ROW)};
+  const one functions[] = {GRAZE_FOR_EACH_POINT(GRAZE_ROW)};
   const two binaries[] = {GRAZE_BINARY_FUNCTIONS(GRAZE_ROW)};
 #undef GRAZE_ROW
   namespace hardware = graze::rounding::hardware;

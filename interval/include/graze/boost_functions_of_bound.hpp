@@ -1,24 +1,10 @@
 // Not to be included by itself: the part of boost_functions.hpp that is written for bounds of the
 // type GRAZE_BOUND, included for each.
-#define GRAZE_UNARY(name, function)                                                                \
+#define GRAZE_UNARY(name)                                                                          \
   template <class P> rounded_interval<GRAZE_BOUND, P> name(const interval<GRAZE_BOUND, P>& x) {    \
-    return graze::detail::from_c<interval<GRAZE_BOUND, P>>(                                        \
-        graze_##function(graze::detail::to_c(x)));                                                 \
+    return graze::detail::from_c<interval<GRAZE_BOUND, P>>(graze_##name(graze::detail::to_c(x)));  \
   }
-GRAZE_UNARY(exp, exp)
-GRAZE_UNARY(log, log)
-GRAZE_UNARY(sin, sin)
-GRAZE_UNARY(cos, cos)
-GRAZE_UNARY(tan, tan)
-GRAZE_UNARY(asin, asin)
-GRAZE_UNARY(acos, acos)
-GRAZE_UNARY(atan, atan)
-GRAZE_UNARY(sinh, sinh)
-GRAZE_UNARY(cosh, cosh)
-GRAZE_UNARY(tanh, tanh)
-GRAZE_UNARY(asinh, asinh)
-GRAZE_UNARY(acosh, acosh)
-GRAZE_UNARY(atanh, atanh)
+GRAZE_FOR_EACH_OF_BOOST(GRAZE_UNARY)
 #undef GRAZE_UNARY
 
 /// Encloses { t^n : t in x }, t != 0 for n < 0; t^0 = 1.

@@ -103,20 +103,7 @@ template <GRAZE_BACKEND B = rounding::nearest> struct boost_rounding : private B
 #define GRAZE_FUNCTION(name)                                                                       \
   GRAZE_UNARY(name, down, point::name##_down)                                                      \
   GRAZE_UNARY(name, up, point::name##_up)
-  GRAZE_FUNCTION(exp)
-  GRAZE_FUNCTION(log)
-  GRAZE_FUNCTION(sin)
-  GRAZE_FUNCTION(cos)
-  GRAZE_FUNCTION(tan)
-  GRAZE_FUNCTION(asin)
-  GRAZE_FUNCTION(acos)
-  GRAZE_FUNCTION(atan)
-  GRAZE_FUNCTION(sinh)
-  GRAZE_FUNCTION(cosh)
-  GRAZE_FUNCTION(tanh)
-  GRAZE_FUNCTION(asinh)
-  GRAZE_FUNCTION(acosh)
-  GRAZE_FUNCTION(atanh)
+  GRAZE_FOR_EACH_OF_BOOST(GRAZE_FUNCTION)
 #undef GRAZE_FUNCTION
 #undef GRAZE_UNARY
 

@@ -19,13 +19,7 @@
   f(pos) f(neg) f(add) f(sub) f(mul) f(div) f(recip) f(sqr) f(sqrt) f(fma) f(abs) f(min) f(max)    \
   f(sign) f(ceil) f(floor) f(trunc) f(round_ties_to_even) f(round_ties_to_away)                    \
   f(intersection) f(convex_hull) f(cancel_plus) f(cancel_minus)                                    \
-  f(exp) f(exp2) f(exp10) f(expm1) f(log) f(log2) f(log10) f(logp1)                                \
-  f(sin) f(cos) f(tan) f(asin) f(acos) f(atan) f(atan2)                                            \
-  f(sinh) f(cosh) f(tanh) f(asinh) f(acosh) f(atanh)                                               \
-  f(cbrt) f(hypot) f(pow)                                                                          \
-  f(pown) f(rootn)                                                                                 \
-  f(cot) f(sec) f(csc) f(acot)                                                                     \
-  f(coth) f(sech) f(csch) f(acoth)                                                                 \
+  GRAZE_FOR_EACH_ELEMENTARY(f) f(atan2) f(hypot) f(pow) f(pown) f(rootn)                           \
   f(sqr_rev) f(abs_rev) f(pown_rev) f(sin_rev) f(cos_rev) f(tan_rev) f(cosh_rev) f(mul_rev)        \
   f(pow_rev1) f(pow_rev2)
 // clang-format on

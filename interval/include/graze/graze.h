@@ -7,6 +7,7 @@
  * An interval is { t real : inf <= t <= sup }; -inf and +inf as bounds mean that there is none. What
  * holds no real number (NaN bounds, inf > sup, both +inf or both -inf) is the empty set, which is
  * given as {NaN, NaN}. */
+#include <graze/functions/names.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -46,46 +47,18 @@ graze_interval graze_round_ties_to_even(graze_interval x);
 graze_interval graze_round_ties_to_away(graze_interval x);
 
 /* Powers and roots */
-graze_interval graze_cbrt(graze_interval x);
 graze_interval graze_hypot(graze_interval x, graze_interval y);
 graze_interval graze_pown(graze_interval x, int n);
 graze_interval graze_pow(graze_interval x, graze_interval y);
 graze_interval graze_rootn(graze_interval x, int n);
-
-/* Exponentials and logarithms */
-graze_interval graze_exp(graze_interval x);
-graze_interval graze_exp2(graze_interval x);
-graze_interval graze_exp10(graze_interval x);
-graze_interval graze_expm1(graze_interval x);
-graze_interval graze_log(graze_interval x);
-graze_interval graze_log2(graze_interval x);
-graze_interval graze_log10(graze_interval x);
-graze_interval graze_logp1(graze_interval x);
-
-/* Trigonometric functions, radians; atan2(y, x) */
-graze_interval graze_sin(graze_interval x);
-graze_interval graze_cos(graze_interval x);
-graze_interval graze_tan(graze_interval x);
-graze_interval graze_cot(graze_interval x);
-graze_interval graze_sec(graze_interval x);
-graze_interval graze_csc(graze_interval x);
-graze_interval graze_asin(graze_interval x);
-graze_interval graze_acos(graze_interval x);
-graze_interval graze_atan(graze_interval x);
-graze_interval graze_acot(graze_interval x);
+/* The angle of (x, y), radians */
 graze_interval graze_atan2(graze_interval y, graze_interval x);
 
-/* Hyperbolic functions */
-graze_interval graze_sinh(graze_interval x);
-graze_interval graze_cosh(graze_interval x);
-graze_interval graze_tanh(graze_interval x);
-graze_interval graze_coth(graze_interval x);
-graze_interval graze_sech(graze_interval x);
-graze_interval graze_csch(graze_interval x);
-graze_interval graze_asinh(graze_interval x);
-graze_interval graze_acosh(graze_interval x);
-graze_interval graze_atanh(graze_interval x);
-graze_interval graze_acoth(graze_interval x);
+/* graze_NAME(x), of one argument, for cbrt; exp exp2 exp10 expm1 log log2 log10 logp1; in radians sin cos
+ * tan cot sec csc asin acos atan acot; sinh cosh tanh coth sech csch asinh acosh atanh acoth */
+#define GRAZE_PROTOTYPE(name) graze_interval graze_##name(graze_interval x);
+GRAZE_FOR_EACH_ELEMENTARY(GRAZE_PROTOTYPE)
+#undef GRAZE_PROTOTYPE
 
 /* Sets, cancellative addition */
 graze_interval graze_intersection(graze_interval x, graze_interval y);

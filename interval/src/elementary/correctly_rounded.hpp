@@ -78,7 +78,7 @@ inline const bool fused = __builtin_cpu_supports("fma") && __builtin_cpu_support
 #endif
 #define GRAZE_DEFINE(name)                                                                         \
   inline double name(double x) { GRAZE_CHOOSE(name, x); }
-GRAZE_UNARY_FUNCTIONS(GRAZE_DEFINE)
+GRAZE_FOR_EACH_POINT(GRAZE_DEFINE)
 #undef GRAZE_DEFINE
 #define GRAZE_DEFINE(name)                                                                         \
   inline double name(double x, double y) { GRAZE_CHOOSE(name, x, y); }
@@ -236,7 +236,7 @@ using expm1 = from_above<core_math::expm1, exact_at_zero_and_infinity>;
 using log = from_above<core_math::log, exact_at_one_or_infinite>;
 using log2 = from_above<core_math::log2, exact_log2>;
 using log10 = from_above<core_math::log10, exact_log10>;
-using logp1 = from_above<core_math::log1p, exact_at_zero_or_infinite>;
+using logp1 = from_above<core_math::logp1, exact_at_zero_or_infinite>;
 using sin = from_above<core_math::sin, exact_at_zero>;
 using cos = from_above<core_math::cos, exact_at_zero>;
 using tan = from_above<core_math::tan, exact_at_zero>;

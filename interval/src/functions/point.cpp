@@ -12,27 +12,7 @@ namespace graze::point {
     [[maybe_unused]] const correctly_rounded::name::scope scope;                                   \
     return correctly_rounded::name::up(x);                                                         \
   }
-GRAZE_DEFINE(exp)
-GRAZE_DEFINE(exp2)
-GRAZE_DEFINE(exp10)
-GRAZE_DEFINE(expm1)
-GRAZE_DEFINE(log)
-GRAZE_DEFINE(log2)
-GRAZE_DEFINE(log10)
-GRAZE_DEFINE(logp1)
-GRAZE_DEFINE(sin)
-GRAZE_DEFINE(cos)
-GRAZE_DEFINE(tan)
-GRAZE_DEFINE(asin)
-GRAZE_DEFINE(acos)
-GRAZE_DEFINE(atan)
-GRAZE_DEFINE(sinh)
-GRAZE_DEFINE(cosh)
-GRAZE_DEFINE(tanh)
-GRAZE_DEFINE(asinh)
-GRAZE_DEFINE(acosh)
-GRAZE_DEFINE(atanh)
-GRAZE_DEFINE(cbrt)
+GRAZE_FOR_EACH_POINT(GRAZE_DEFINE)
 #undef GRAZE_DEFINE
 
 #define GRAZE_DEFINE(name)                                                                         \

@@ -20,6 +20,7 @@
 #include <graze/bounds.hpp>
 #include <graze/decorated_bounds.hpp>
 #include <graze/decoration.hpp>
+#include <graze/functions/names.h>
 #include <graze/rounding/hardware.hpp>
 
 namespace graze {
@@ -36,6 +37,13 @@ template <std::integral Integer> bool is_common(Integer) { return true; }
 inline decoration label_of(const decorated_bounds& x) { return x.label; }
 template <std::integral Integer> decoration label_of(Integer) { return decoration::com; }
 } // namespace detail
+
+// A function of one set of bounds, for the lists of graze/functions/names.h.
+#define GRAZE_FUNCTION_OF_ONE(name)                                                                \
+  struct name {                                                                                    \
+    static bounds value(bounds x);                                                                 \
+    static decoration local(bounds x);                                                             \
+  };
 
 /// F on bare intervals of the policies P.
 template <class F, Real N, Policies P, class... Operands>

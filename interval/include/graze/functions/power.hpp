@@ -9,10 +9,7 @@
 namespace graze {
 namespace functions {
 
-struct cbrt {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
+GRAZE_FUNCTION_OF_ONE(cbrt)
 struct hypot {
   static bounds value(bounds x, bounds y);
   static decoration local(bounds x, bounds y);
@@ -25,9 +22,7 @@ struct pow {
 } // namespace functions
 
 /// Encloses { the real cube root of t : t in x }.
-template <Real N, Policies P> interval_of<P, N> cbrt(const interval_of<P, N>& x) {
-  return apply<functions::cbrt>(x);
-}
+GRAZE_BESIDE_BOOST(cbrt)
 /// Encloses { sqrt(s^2 + t^2) : s in x, t in y }.
 template <Real N, Policies P>
 interval_of<P, N> hypot(const interval_of<P, N>& x, const interval_of<P, N>& y) {

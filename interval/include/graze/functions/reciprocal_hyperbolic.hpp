@@ -14,41 +14,8 @@
 #include <graze/functions/apply.hpp>
 
 namespace graze {
-
 namespace functions {
-/// Encloses { coth t : t in x, t != 0 }.
-struct coth {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
-/// Encloses { sech t : t in x }.
-struct sech {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
-/// Encloses { csch t : t in x, t != 0 }.
-struct csch {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
-/// Encloses { acoth t : t in x, |t| > 1 }.
-struct acoth {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
-} // namespace functions
-
-template <Real N, Policies P> interval_of<P, N> coth(const interval_of<P, N>& x) {
-  return apply<functions::coth>(x);
+GRAZE_FOR_EACH_RECIPROCAL_HYPERBOLIC(GRAZE_FUNCTION_OF_ONE)
 }
-template <Real N, Policies P> interval_of<P, N> sech(const interval_of<P, N>& x) {
-  return apply<functions::sech>(x);
-}
-template <Real N, Policies P> interval_of<P, N> csch(const interval_of<P, N>& x) {
-  return apply<functions::csch>(x);
-}
-template <Real N, Policies P> interval_of<P, N> acoth(const interval_of<P, N>& x) {
-  return apply<functions::acoth>(x);
-}
-
+GRAZE_FOR_EACH_RECIPROCAL_HYPERBOLIC(GRAZE_BESIDE_BOOST)
 } // namespace graze

@@ -9,30 +9,7 @@
 namespace graze {
 namespace functions {
 
-struct sin {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
-struct cos {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
-struct tan {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
-struct asin {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
-struct acos {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
-struct atan {
-  static bounds value(bounds x);
-  static decoration local(bounds x);
-};
+GRAZE_FOR_EACH_TRIGONOMETRIC(GRAZE_FUNCTION_OF_ONE)
 struct atan2 {
   static bounds value(bounds y, bounds x);
   static decoration local(bounds y, bounds x);
@@ -41,18 +18,9 @@ struct atan2 {
 
 } // namespace functions
 
-/// Encloses { sin t : t in x }.
-GRAZE_BESIDE_BOOST(sin)
-/// Encloses { cos t : t in x }.
-GRAZE_BESIDE_BOOST(cos)
-/// Encloses { tan t : t in x, t no odd multiple of pi/2 }: entire if x holds such a multiple.
-GRAZE_BESIDE_BOOST(tan)
-/// Encloses { asin t : t in x, |t| <= 1 }.
-GRAZE_BESIDE_BOOST(asin)
-/// Encloses { acos t : t in x, |t| <= 1 }.
-GRAZE_BESIDE_BOOST(acos)
-/// Encloses { atan t : t in x }.
-GRAZE_BESIDE_BOOST(atan)
+/// Domains: sin, cos, atan all numbers; tan all but odd multiples of pi/2 (entire if x holds one); asin,
+/// acos |t| <= 1.
+GRAZE_FOR_EACH_TRIGONOMETRIC(GRAZE_BESIDE_BOOST)
 /// Encloses { the angle in (-pi, pi] of the point (s, t) : s in x, t in y, (s, t) != (0, 0) }. On
 /// the negative x axis the angle is pi: a box that holds a part of it and points below is mapped to
 /// [-pi, pi].
