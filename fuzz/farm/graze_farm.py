@@ -12,6 +12,7 @@ failure (files, memory, output, the scheduler), 130 interrupted."""
 import argparse
 import fcntl
 import json
+import logging
 import os
 import queue
 import signal
@@ -163,6 +164,7 @@ class Store:
 
 
 def run(given):
+    logging.disable(logging.CRITICAL)  # Dask's; what it says comes back as an error, told in one line
     import dask
     from distributed import Client, LocalCluster
     store = Store(given.out, {"graze_farm": 1, "rays": given.rays, "piece": given.piece,

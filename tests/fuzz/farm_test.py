@@ -1,11 +1,14 @@
-"""fuzz/farm: two workers of which one is killed count and find what one undisturbed run does.
+"""fuzz/farm: two workers of which one is killed count and find what one undisturbed run does; a scheduler
+that is killed is said, and costs no range.
 
     farm_test.py FARM_FOLDER GRAZE_FUZZ        exit code 77: Dask is not installed"""
+import json
 import os
 import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 folder, program = sys.argv[1:]
 sys.path.insert(0, folder)
@@ -63,6 +66,43 @@ def main():
         os.remove(out)
         wrong = drive("--rays", "1000", "--", "--traversal", "nobody")
         assert wrong.returncode == 2 and b"nobody" in wrong.stderr, wrong
+
+    dead_scheduler()
+
+
+def dead_scheduler():
+    """Killed between two ranges: one line and exit code 2 within seconds; --out goes on elsewhere."""
+    python = [sys.executable, "-m"]
+    with tempfile.TemporaryDirectory() as scratch:
+        address, out = os.path.join(scratch, "scheduler.json"), os.path.join(scratch, "farm.jsonl")
+        begin = {"cwd": scratch, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        scheduler = subprocess.Popen([*python, "distributed.cli.dask_scheduler", "--port", "0", "--no-dashboard",
+                                      "--scheduler-file", address], **begin)
+        worker = subprocess.Popen([*python, "distributed.cli.dask_worker", "--nthreads", "1", "--no-dashboard",
+                                   "--no-nanny", "--scheduler-file", address], **begin)
+        command = [sys.executable, os.path.join(folder, "graze_farm.py"), "--piece", "20000", "--rays", "2000500",
+                   "--out", out, "--program", program]
+        try:
+            while not os.path.exists(address) or not open(address, encoding="utf-8").read().strip():
+                time.sleep(0.1)
+            with open(address, encoding="utf-8") as file:
+                where = json.load(file)["address"]
+            farm = subprocess.Popen([*command, "--scheduler", where, "--", *OPTIONS], stdout=subprocess.PIPE,
+                                    stderr=subprocess.PIPE, text=True)
+            assert "1 of 101 ranges" in farm.stderr.readline()
+            scheduler.kill()
+            since = time.monotonic()
+            printed, said = farm.communicate(timeout=60)
+            took = time.monotonic() - since
+        finally:
+            scheduler.kill(), worker.kill()
+            scheduler.wait(), worker.wait()
+        complaints = [line for line in said.splitlines() if not line.endswith(" ranges")]
+        assert farm.returncode == 2 and printed == "" and len(complaints) == 1, (farm.returncode, said)
+        assert "scheduler" in complaints[0] and took < 30, (complaints, took)
+        again = subprocess.run([*command, "--workers", "1", "--", *OPTIONS], stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True, check=False)
+        assert again.returncode == 1 and json.loads(again.stdout)["rays"] == 2_000_500, again
 
 
 if __name__ == "__main__":
