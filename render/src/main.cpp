@@ -1,7 +1,7 @@
 // graze-render: a picture of an implicit surface, each ray with its verdict.
 #include "request.hpp"
+#include "scene_options.hpp"
 
-#include <graze/octree_formula.hpp>
 #include <graze/render/picture_texts.hpp>
 #include <graze/render/scene_text.hpp>
 #include <graze/support/files.hpp>
@@ -15,11 +15,11 @@ using namespace graze::render;
 using namespace graze::support;
 using graze::expected, graze::unexpected;
 constexpr const char* software = "graze-render " GRAZE_VERSION;
-constexpr const char* default_domain = "-2,2";
 constexpr int not_written = 1; ///< the picture, as --help says
 
 struct request {
-  std::string scene_name, formula, domain, again; ///< the scene: by one of the first two, or again
+  scene_options scene; ///< or the picture to be made again
+  std::string again;
   std::string mode = "cast", method, size = "512", crop;
   picture_settings settings;
   int threads = 0;
@@ -31,31 +31,6 @@ struct request {
 int end_with(int code, const std::string& why) {
   complain(why);
   return code;
-}
-
-expected<scene> scene_in_file(const std::string& name) {
-  const auto text = read_file(name, largest_scene_text);
-  if (!text)
-    return unexpected{text.reason()};
-  auto found = scene_from(*text);
-  if (!found)
-    return unexpected{fmt::format("{}: {}", shown(name), found.reason())};
-  return found;
-}
-
-expected<scene> scene_of(const std::string& formula, const std::string& domain) {
-  if (const auto parsed = graze::octree::formula::parse(formula); !parsed)
-    return unexpected{"--formula: " + parsed.reason()};
-  const auto box = domain_from(domain);
-  if (!box)
-    return unexpected{"--domain: " + box.reason()};
-  return scene{"formula",
-               "",
-               *box,
-               fitting_camera(*box),
-               fitting_lights(*box),
-               {{"surface", formula, material{default_body}}},
-               {}};
 }
 
 /// The scene and the settings that a picture tells.
@@ -82,13 +57,12 @@ expected<scene> scene_of_picture(const std::string& file, picture_settings& sett
 /// The scene and, in r.settings, how it is rendered; or the reason why that cannot be done. Asked
 /// before any work.
 expected<scene> understand(request& r) {
-  const int given = int{!r.scene_name.empty()} + int{!r.formula.empty()} + int{!r.again.empty()};
-  if (given != 1)
+  if (r.scene.count() + int{!r.again.empty()} != 1)
     return unexpected{"one of --scene, --formula, --again is needed (--help shows the options)"};
   if (r.threads < 0 || r.threads > static_cast<int>(most_threads))
     return unexpected{fmt::format("--threads must be 0 to {}, not {}", most_threads, r.threads)};
-  if (!r.domain.empty() && r.formula.empty())
-    return unexpected{"--domain is of --formula"};
+  if (const status may = r.scene.check(); !may)
+    return unexpected{may.reason()};
   const auto size = extent_from(r.size);
   if (!size)
     return unexpected{size.reason()};
@@ -108,14 +82,7 @@ expected<scene> understand(request& r) {
     return unexpected{may.reason()};
   if (!r.again.empty())
     return scene_of_picture(r.again, r.settings);
-  if (!r.formula.empty())
-    return scene_of(r.formula, r.domain.empty() ? default_domain : r.domain);
-  if (const scene* s = find_scene(r.scene_name); s != nullptr)
-    return *s;
-  if (r.scene_name.ends_with(".json"))
-    return scene_in_file(r.scene_name);
-  return unexpected{fmt::format("unknown scene '{}'; there are {}, and files that end in .json",
-                                r.scene_name, scene_names())};
+  return r.scene.read();
 }
 
 nlohmann::ordered_json counts_of(const tally& c) {
@@ -217,12 +184,7 @@ int render_to_file(const request& r, const scene& s) {
 }
 
 void declare(CLI::App& app, request& r) {
-  app.add_option("--scene", r.scene_name, "One of " + scene_names() + ",\nor a .json file");
-  app.add_option("--formula", r.formula, "The surface f = 0, such as \"x^2 + y^2 + z^2 - 1\"");
-  app.add_option("--domain", r.domain,
-                 fmt::format("Of --formula: lo,hi for all axes, or x0,x1,y0,y1,z0,z1 (as "
-                             "--domain=-1,1); without it {}",
-                             default_domain));
+  r.scene.declare(app);
   const auto again =
       app.add_option("--again", r.again,
                      "A picture of graze-render: its scene and settings once more, the same bytes");

@@ -142,7 +142,7 @@ private:
         continue;
       const vec3 point = point_at(rays_[k], middle(h));
       f.normal = narrow(facing_normal(work_.whole().gradient(point), d));
-      f.object = static_cast<int>(work_.whole().object_at(point));
+      f.object = static_cast<int>(object_at(scene_, point));
     }
   }
 

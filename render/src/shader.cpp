@@ -83,7 +83,7 @@ void shader::sort(std::span<const octree::ray> rays, std::span<const octree::sur
       const vec3 point = point_at(rays[i], middle(hits[i]));
       seen_.push_back({pixels[i], weights[i], rays[i], hits[i], point,
                        facing_normal(work_.whole().gradient(point), rays[i].direction()),
-                       work_.whole().object_at(point), departure{}, 0});
+                       object_at(scene_, point), departure{}, 0});
     }
     }
   }

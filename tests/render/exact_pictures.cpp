@@ -10,19 +10,28 @@ using namespace graze::render;
 namespace {
 
 std::optional<oracle::root> first(const scene& s, const octree::ray& r) {
-  if (s.name == "spheres")
-    return ::support::first_root(octree::spheres{}, r, s.domain);
-  if (s.name == "quartdef")
-    return ::support::first_root(octree::quartdef{}, r, s.domain);
-  if (s.name == "tanglecube")
-    return ::support::first_root(octree::tanglecube{}, r, s.domain);
-  return ::support::first_root(octree::holesrot{}, r, s.domain);
+  std::optional<oracle::root> root;
+  octree::for_each_built_in([&]<class F>(const octree::built_in_surface<F>& row) {
+    if constexpr (octree::is_algebraic<F>())
+      if (row.name == s.built_in)
+        root = ::support::first_root(row.surface(), r, s.domain);
+  });
+  return root;
+}
+
+std::vector<std::string> algebraic_names() {
+  std::vector<std::string> names;
+  octree::for_each_built_in([&names]<class F>(const octree::built_in_surface<F>& row) {
+    if constexpr (octree::is_algebraic<F>())
+      names.emplace_back(row.name);
+  });
+  return names;
 }
 
 } // namespace
 
 TEST_CASE("render.pictures: verdicts and depth enclosures hold the exact first root", "[mpfr]") {
-  const char* const name = GENERATE("spheres", "quartdef", "tanglecube", "holesrot");
+  const std::string name = GENERATE(from_range(algebraic_names()));
   const scene& s = *find_scene(name);
   const camera view = s.view;
   const auto coarse = prepare(s, 9, 30);

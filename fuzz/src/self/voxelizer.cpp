@@ -397,17 +397,23 @@ private:
 
 subject voxelizer_subject(const dropped_leaf& dropped) {
   subject s{"voxelizer", "Octants that hold a zero of a surface are kept, by exact zeros", {}};
-  std::uint64_t which = 0;
-  const auto add = [&]<class F>(const char* name, const F& f, double reach) {
-    const auto trials = std::make_shared<surface_trials<F>>(f, reach, which++, 4, dropped);
-    s.parts.push_back({name, [trials](std::uint64_t seed, std::uint64_t index, observations& out) {
+  // whose zeros along lines are exact
+  const auto each = [](const auto& visit) {
+    for_each_built_in([&visit]<class F>(const built_in_surface<F>& row) {
+      if constexpr (is_algebraic<F>())
+        visit(row);
+    });
+  };
+  std::uint64_t count = 0, which = 0;
+  each([&count](const auto&) { ++count; });
+  each([&]<class F>(const built_in_surface<F>& row) {
+    const auto trials =
+        std::make_shared<surface_trials<F>>(row.surface(), row.reach, which++, count, dropped);
+    s.parts.push_back({std::string(row.name),
+                       [trials](std::uint64_t seed, std::uint64_t index, observations& out) {
                          trials->examine(seed, index, out);
                        }});
-  };
-  add("spheres", spheres{}, 2.5);
-  add("quartdef", quartdef{}, 1.5);
-  add("tanglecube", tanglecube{}, 2.5);
-  add("holesrot", holesrot{}, 2);
+  });
   return s;
 }
 

@@ -8,7 +8,7 @@
 namespace graze::octree {
 namespace {
 
-constexpr std::size_t header_size = 68, checksum_size = 4, longest_description = 65536;
+constexpr std::size_t header_size = 68, checksum_size = 4;
 constexpr char magic[] = {'G', 'R', 'A', 'Z', 'E', 'O', 'C', 'T'};
 
 class writer {

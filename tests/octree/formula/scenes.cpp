@@ -25,9 +25,7 @@ std::string text_of(const spheres&) {
   }
   return text + ")";
 }
-std::string text_of(const quartdef&) { return "(x^2-1)^2+(y^2-1)^2+(z^2-1)^2-1"; }
-std::string text_of(const tanglecube&) { return "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8"; }
-std::string text_of(const holesrot&) { return "x^3+y^3+z^3-x-y-z"; }
+template <class F> std::string text_of(const F&) { return built_in<F>.formula; }
 
 template <class S> formula formula_of(const S& scene) {
   const auto f = formula::parse(text_of(scene.surface));

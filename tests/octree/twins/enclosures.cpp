@@ -105,7 +105,7 @@ void compare(const F& f, Evaluate evaluate, std::uint64_t seed, int rounds, tall
 }
 
 void of_scenes(batch::path p) {
-  const evaluations& by = GRAZE_ALL_PATHS(evaluations, evaluations_of).on(p);
+  const evaluations& of_path = GRAZE_ALL_PATHS(evaluations, evaluations_of).on(p);
   const auto check = [&](const char* name, const auto& f, const auto& evaluate) {
     tally t;
     compare(f, evaluate, 26, 4000, t);
@@ -114,14 +114,11 @@ void of_scenes(batch::path p) {
     CHECK(t.free > 2000);
     CHECK(t.signs > 2000);
   };
-  check("spheres", spheres{}, by.spheres);
-  check("quartdef", quartdef{}, by.quartdef);
-  check("tanglecube", tanglecube{}, by.tanglecube);
-  check("holesrot", holesrot{}, by.holesrot);
-  check("asterisk(3,4)", asterisk<3, 4>{}, by.asterisk_3_4);
-  check("asterisk(9,18)", asterisk<9, 18>{}, by.asterisk_9_18);
-  check("loose", loose{}, by.loose);
-  check("creased", creased{}, by.creased);
+  for_each_built_in([&]<class F>(const built_in_surface<F>& row) {
+    check(row.name, row.surface(), std::get<evaluator<F>>(of_path.built_in));
+  });
+  check("loose", loose{}, of_path.loose);
+  check("creased", creased{}, of_path.creased);
 }
 
 void of_texts(batch::path p, const std::vector<std::string>& texts, int rounds) {

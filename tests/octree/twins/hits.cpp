@@ -79,8 +79,9 @@ void compare_descents(const F& f, const box& domain, const std::vector<ray>& ray
 }
 
 /// Those of the campaign, of a camera, and through each awkward domain.
-template <class F> void of_scene(const char* name, const F& f, batch::path p) {
-  INFO(name);
+template <class F> void of_scene(const built_in_surface<F>& row, batch::path p) {
+  INFO(row.name);
+  const F f;
   tally certified, descents;
   random_source random(27);
   for (const box& domain : some_domains()) {
@@ -95,16 +96,13 @@ template <class F> void of_scene(const char* name, const F& f, batch::path p) {
   for (int j = 1; j < 512; j += 19)
     for (int i = 2; i < 512; i += 19)
       rays.push_back(scene.pixel(i, j));
-  const double scale =
-      name == std::string("asterisk(3,4)") || name == std::string("asterisk(9,18)") ? 0.4 : 1;
   for (const fuzz::generator& g : fuzz::generators())
     for (std::uint64_t i = 0; i < 40; ++i) {
       const fuzz::trial trial =
           fuzz::make_trial(g, 7, i, 1 + static_cast<int>(i), {{-4, -4, -4}, 8});
       rays.push_back(*ray::make(trial.origin, trial.direction));
     }
-  const double reach = 2.5 * scale;
-  const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
+  const box domain = row.domain();
   compare_certified(f, domain, rays, p, certified);
   for (const int level : {5, 6, 7, 20, 30, 50})
     compare_descents(f, domain, rays, std::min(level, 6), level, p, descents);
@@ -117,7 +115,7 @@ template <class F> void of_scene(const char* name, const F& f, batch::path p) {
   }
 }
 void of_scenes(batch::path p) {
-  for_each_scene([p](const char* name, const auto& f) { of_scene(name, f, p); });
+  for_each_built_in([p](const auto& row) { of_scene(row, p); });
 }
 
 void of_texts(batch::path p, const std::vector<std::string>& texts, std::size_t rays_each) {

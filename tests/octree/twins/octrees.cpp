@@ -36,8 +36,9 @@ template <class F> void compare(const F& f, const box& domain, int level, batch:
 }
 
 void of_scenes(batch::path p) {
-  for_each_scene([&](const char* name, const auto& f) {
-    INFO(name);
+  for_each_built_in([p](const auto& row) {
+    INFO(row.name);
+    const auto f = row.surface();
     tally t;
     std::vector<box> domains = some_domains();
     domains.push_back({{-0.8, -2.5, 0.1}, {2.5, 0.3, 2.5}});

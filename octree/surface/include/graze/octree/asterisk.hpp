@@ -18,7 +18,7 @@
 
 #include <cmath>
 #include <graze/octree/dual.hpp>
-#include <graze/octree/surfaces.hpp>
+#include <graze/octree/surface.hpp>
 #include <limits>
 
 namespace graze::octree {
@@ -186,6 +186,7 @@ template <int M, int N> struct asterisk {
   /// The factors' enclosures are tight. The mean value form leaves out 9 to 14 % of the octants and
   /// costs twice the time (graze-inclusion-bench).
   static constexpr bool natural_extension_suffices = true;
+  static constexpr bool is_algebraic = false;
 
   template <class T> T operator()(const T& x, const T& y, const T& z) const {
     if constexpr (!requires { sizeof(angular<T>); })

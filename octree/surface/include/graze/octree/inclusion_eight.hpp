@@ -7,7 +7,7 @@
 #include <graze/octree/eight.hpp>
 #include <graze/octree/inclusion.hpp>
 #include <graze/octree/octet.hpp>
-#include <graze/octree/surfaces.hpp>
+#include <graze/octree/surface.hpp>
 #include <utility>
 
 namespace graze::octree {
