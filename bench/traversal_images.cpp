@@ -333,7 +333,7 @@ void scene(const options& how, bool as_table, const built_in_surface<F>& surface
   const auto show = [&](int levels, std::vector<method>& all) {
     measure(all, how);
     const double bound =
-        levels == 0 ? 0 : std::sqrt(3.0) * std::ldexp(octree->box().size, -levels - 1);
+        levels == 0 ? 0 : std::sqrt(3.0) * std::ldexp(octree->root_octant().size, -levels - 1);
     const auto judge_of = std::find_if(all.begin(), all.end(), [](const method& m) {
       return std::string_view(m.name) == "exact";
     });

@@ -38,19 +38,19 @@ expected<scene> scene_of_picture(const std::string& file, picture_settings& sett
   const auto texts = texts_of_picture(file);
   if (!texts)
     return unexpected{texts.reason()};
-  const auto told = [&](const char* key) {
+  const auto text_at = [&](const char* key) {
     const auto text = texts->find(key);
     return text != texts->end() ? text->second : std::string();
   };
   if (!texts->contains("graze:scene"))
     return unexpected{in_quotes(file) + " tells of no scene: graze-render has not made it"};
-  auto s = scene_from(told("graze:scene"));
-  auto how = picture_settings::from(told("graze:settings"));
-  if (!s || !how)
-    return unexpected{in_quotes(file) + ": " + (s ? how.reason() : s.reason())};
-  settings = *how;
-  if (const std::string by = told("Software"); by != software)
-    complain(in_quotes(file) + " was made by " + shown(by, 80) + ": the bytes may differ");
+  auto s = scene_from(text_at("graze:scene"));
+  auto stored = picture_settings::parse(text_at("graze:settings"));
+  if (!s || !stored)
+    return unexpected{in_quotes(file) + ": " + (s ? stored.reason() : s.reason())};
+  settings = *stored;
+  if (const std::string maker = text_at("Software"); maker != software)
+    complain(in_quotes(file) + " was made by " + shown(maker, 80) + ": the bytes may differ");
   return s;
 }
 
@@ -67,7 +67,7 @@ expected<scene> understand(request& r) {
   if (!size)
     return unexpected{size.reason()};
   r.settings.size = *size;
-  r.settings.how = r.mode == "trace" ? mode::trace : mode::cast;
+  r.settings.mode = r.mode == "trace" ? mode::trace : mode::cast;
   if (!r.crop.empty()) {
     const auto crop = window_from(r.crop);
     if (!crop)
@@ -106,15 +106,15 @@ void describe(picture& image, const request& r, const scene& s, const rendering&
                     {"graze:complete", result.complete ? "yes" : "no"}};
 }
 
-void print_summary(const request& r, const scene& s, const caster& work, double octree_seconds,
+void print_summary(const request& r, const scene& s, const caster& surface, double octree_seconds,
                    const rendering& result) {
   const tally& c = result.counts;
   const double rate = result.seconds > 0 ? static_cast<double>(c.rays()) / result.seconds : 0;
-  const bool descends = r.settings.by == method::descent;
+  const bool descends = r.settings.method == method::descent;
   const char* const by_name = descends ? "descent" : "certified";
   if (r.json) {
     nlohmann::ordered_json line = {{"scene", s.name},
-                                   {"mode", r.settings.how == mode::trace ? "trace" : "cast"},
+                                   {"mode", r.settings.mode == mode::trace ? "trace" : "cast"},
                                    {"method", by_name},
                                    {"levels", r.settings.levels},
                                    {"octree_level", r.settings.octree_level},
@@ -126,7 +126,7 @@ void print_summary(const request& r, const scene& s, const caster& work, double 
                                    {"complete", result.complete}};
     line.update(counts_of(c));
     line.update({{"octants_per_ray", c.octants_a_ray()},
-                 {"octree_leaves", work.octree_leaves()},
+                 {"octree_leaves", surface.octree_leaves()},
                  {"octree_seconds", octree_seconds},
                  {"seconds", result.seconds},
                  {"rays_per_second", rate}});
@@ -139,27 +139,29 @@ void print_summary(const request& r, const scene& s, const caster& work, double 
         descends ? fmt::format("NL {}", r.settings.levels) : by_name, c.rays(), result.seconds,
         three_digits(rate), c.hits, c.misses, c.undecided, c.octants_a_ray(),
         descends ? "octants" : "steps",
-        descends
-            ? fmt::format("octree of {} leaves in {:.2f} s; ", work.octree_leaves(), octree_seconds)
-            : "",
+        descends ? fmt::format("octree of {} leaves in {:.2f} s; ", surface.octree_leaves(),
+                               octree_seconds)
+                 : "",
         shown(r.output, 1000));
 }
 
 int render_to_file(const request& r, const scene& s) {
-  const picture_settings& how = r.settings;
+  const picture_settings& chosen = r.settings;
   const file_format format = *format_of(r.output);
   const auto start = std::chrono::steady_clock::now();
-  auto work = prepare(s, std::min(how.octree_level, how.levels), how.levels, how.by);
-  if (!work)
-    return bad_input(work.reason());
+  auto surface =
+      prepare(s, std::min(chosen.octree_level, chosen.levels), chosen.levels, chosen.method);
+  if (!surface)
+    return bad_input(surface.reason());
   const double octree_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   progress_line line("pixels", r.progress);
-  const settings loop = {how.size, static_cast<unsigned>(r.threads), how.how, side_of(how.spp),
-                         how.crop, format == file_format::exr};
+  const settings loop = {chosen.size, static_cast<unsigned>(r.threads),
+                         chosen.mode, side_of(chosen.spp),
+                         chosen.crop, format == file_format::exr};
   const rendering result =
-      render_picture(s, **work, loop, &stop_wanted,
+      render_picture(s, **surface, loop, &stop_wanted,
                      [&](std::uint64_t done_pixels, std::uint64_t pixels, double seconds) {
                        line.show({done_pixels, pixels, seconds});
                      });
@@ -175,7 +177,7 @@ int render_to_file(const request& r, const scene& s) {
     return end_with(not_written, bytes.reason());
   if (const status written = write_atomically(r.output, *bytes); !written)
     return end_with(not_written, written.reason());
-  print_summary(r, s, **work, octree_seconds, result);
+  print_summary(r, s, **surface, octree_seconds, result);
   if (result.complete)
     return done;
   return end_with(ended_by_signal,
@@ -245,7 +247,7 @@ int start(int argc, char** argv) {
   const bool of_descent = app.count("--levels") + app.count("--octree-level") != 0;
   if (of_descent && r.method == "certified")
     return bad_input("--levels and --octree-level are of --method descent");
-  r.settings.by = of_descent || r.method == "descent" ? method::descent : method::certified;
+  r.settings.method = of_descent || r.method == "descent" ? method::descent : method::certified;
   listen_for_interrupts();
   const auto s = understand(r);
   if (!s)

@@ -22,7 +22,7 @@ struct refusal {
 /// A value and where it is: "lights[1].intensity".
 class value {
 public:
-  value(const read_json& what, std::string path) : json_(&what), path_(std::move(path)) {}
+  value(const read_json& node, std::string path) : json_(&node), path_(std::move(path)) {}
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw refusal{path_.empty() ? why : fmt::format("key {}: {}", path_, why)};
@@ -118,16 +118,16 @@ solid solid_from(const value& v, const std::vector<object>& objects, int nested)
     v.refuse(fmt::format("there is no object '{}'", name));
   }
   solid s;
-  const std::string how = v.only_key();
-  if (how == "union")
+  const std::string operation = v.only_key();
+  if (operation == "union")
     s.form = solid::kind::unite;
-  else if (how == "intersection")
+  else if (operation == "intersection")
     s.form = solid::kind::intersect;
-  else if (how == "difference")
+  else if (operation == "difference")
     s.form = solid::kind::subtract;
   else
-    v.refuse(fmt::format("'{}' is none of union, intersection, difference", how));
-  const value parts = v.at(how.c_str());
+    v.refuse(fmt::format("'{}' is none of union, intersection, difference", operation));
+  const value parts = v.at(operation.c_str());
   for (const value& part : parts.elements(most_objects))
     s.parts.push_back(solid_from(part, objects, nested + 1));
   if (s.parts.size() < 2)
@@ -250,10 +250,10 @@ json json_of(const solid& s, const std::vector<object>& objects) {
   json parts = json::array();
   for (const solid& part : s.parts)
     parts.push_back(json_of(part, objects));
-  const char* const how = s.form == solid::kind::unite       ? "union"
-                          : s.form == solid::kind::intersect ? "intersection"
-                                                             : "difference";
-  return {{how, parts}};
+  const char* const operation = s.form == solid::kind::unite       ? "union"
+                                : s.form == solid::kind::intersect ? "intersection"
+                                                                   : "difference";
+  return {{operation, parts}};
 }
 
 json json_of(const material& m) {

@@ -76,16 +76,17 @@ void print_octree(const request& r, const octree::sparse_octree& t, const std::s
   const auto certified = static_cast<std::size_t>(
       std::count(t.leaves().begin(), t.leaves().end(), octree::content::certified));
   if (r.json) {
-    nlohmann::ordered_json line = {{"file", file},
-                                   {"description", description},
-                                   {"level", t.level()},
-                                   {"root", {t.box().lo[0], t.box().lo[1], t.box().lo[2]}},
-                                   {"root_size", t.box().size},
-                                   {"nodes", t.node_count()},
-                                   {"leaves", t.leaf_count()},
-                                   {"certified", certified},
-                                   {"bytes", t.bytes()},
-                                   {"seconds", seconds}};
+    nlohmann::ordered_json line = {
+        {"file", file},
+        {"description", description},
+        {"level", t.level()},
+        {"root", {t.root_octant().lo[0], t.root_octant().lo[1], t.root_octant().lo[2]}},
+        {"root_size", t.root_octant().size},
+        {"nodes", t.node_count()},
+        {"leaves", t.leaf_count()},
+        {"certified", certified},
+        {"bytes", t.bytes()},
+        {"seconds", seconds}};
     print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
     return;
   }

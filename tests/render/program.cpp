@@ -131,7 +131,7 @@ TEST_CASE("graze-render: scene files, and errors that name the key", "[unit]") {
 
 TEST_CASE("graze-render: --again gives the same bytes, crops and samples included", "[unit]") {
   const scratch dir;
-  const char* const what =
+  const char* const arguments =
       GENERATE("--scene tanglecube --mode trace --size 60x40 --crop 10,5,37,33 --spp 4 --levels 35 "
                "--octree-level 6",
                "--formula 'max(x^2 + y^2 + z^2 - 1, -abs(x) + 1/3)' --domain=-1.5,1.25 --size 40 "
@@ -139,7 +139,7 @@ TEST_CASE("graze-render: --again gives the same bytes, crops and samples include
                "--scene 'asterisk(3,4)' --mode trace --method certified --size 40");
   for (const char* extension : {".exr", ".png"}) {
     const std::string first = (dir / "a") + extension, second = (dir / "b") + extension;
-    REQUIRE(call(GRAZE_RENDER, what + (" --threads 1 -o " + first)).code == 0);
+    REQUIRE(call(GRAZE_RENDER, arguments + (" --threads 1 -o " + first)).code == 0);
     const auto o = call(GRAZE_RENDER, "--again " + first + " --threads 3 -o " + second);
     INFO(o.err);
     REQUIRE(o.code == 0);
@@ -175,8 +175,8 @@ TEST_CASE("graze-render: an interrupt leaves a valid picture or none, and says s
   if (!pictures.empty()) {
     const auto part = graze::render::read_picture(file);
     REQUIRE(part.has_value());
-    const std::pair<std::string, std::string> told = {"graze:complete", "no"};
-    CHECK(std::count(part->metadata.begin(), part->metadata.end(), told) == 1);
+    const std::pair<std::string, std::string> entry = {"graze:complete", "no"};
+    CHECK(std::count(part->metadata.begin(), part->metadata.end(), entry) == 1);
   }
 }
 

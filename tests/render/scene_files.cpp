@@ -10,12 +10,12 @@ using namespace graze::render;
 namespace {
 
 rendering render(const scene& s, int size) {
-  const auto work = prepare(s, 6, 30);
-  INFO(s.name << " " << work.reason());
-  REQUIRE(work);
-  settings how = {size, 2};
-  how.facts = true;
-  return render_picture(s, **work, how);
+  const auto surface = prepare(s, 6, 30);
+  INFO(s.name << " " << surface.reason());
+  REQUIRE(surface);
+  settings chosen = {size, 2};
+  chosen.facts = true;
+  return render_picture(s, **surface, chosen);
 }
 
 scene parsed(const std::string& text) {

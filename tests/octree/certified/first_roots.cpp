@@ -45,12 +45,12 @@ template <class F> certified_hit hit_of(const F& f, const box& domain, const ray
 
 /// All 262,144 pixels, by the lanes (which have the scalar code's bits: paths.cpp).
 template <class S> void examine_all_pixels(const S& scene, int hits_in_all) {
-  const auto work =
+  const auto traversal =
       lane_certified_traversal<decltype(scene.surface)>::make(scene.surface, scene.domain());
-  REQUIRE(work);
+  REQUIRE(traversal);
   const std::vector<ray> rays = pixels(scene, 1);
   std::vector<certified_hit> hits(rays.size());
-  work->first_hits(rays, hits);
+  traversal->first_hits(rays, hits);
   tally t;
   std::vector<double> widths;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -354,13 +354,13 @@ TEST_CASE("octree.certified: without outward rounding the judge finds wrong encl
 TEST_CASE("octree.certified: the caller's control words are restored, flushing is not used",
           "[unit]") {
   const auto& scene = scenes::scene_of<tanglecube>;
-  const auto work = certified_traversal<tanglecube>::make(scene.surface, scene.domain());
+  const auto traversal = certified_traversal<tanglecube>::make(scene.surface, scene.domain());
   const ray r = scene.pixel(256, 256);
-  const certified_hit plain = work->first_hit(r);
+  const certified_hit plain = traversal->first_hit(r);
   const unsigned before = _mm_getcsr();
   for (const unsigned mode : {0x8040u, 0x2000u, 0x4000u, 0x6000u}) {
     _mm_setcsr(before | mode);
-    const certified_hit changed = work->first_hit(r);
+    const certified_hit changed = traversal->first_hit(r);
     const unsigned after = _mm_getcsr();
     _mm_setcsr(before);
     CHECK((after & ~0x3fu) == ((before | mode) & ~0x3fu));
@@ -377,10 +377,10 @@ TEST_CASE("octree.certified: the caller's control words are restored, flushing i
 }
 
 TEST_CASE("octree.certified: refuses what it cannot do", "[unit]") {
-  using work = certified_traversal<holesrot>;
+  using traversal = certified_traversal<holesrot>;
   const double infinite = std::numeric_limits<double>::infinity();
-  CHECK_FALSE(work::make({}, box{{1, 0, 0}, {0, 1, 1}}));
-  CHECK_FALSE(work::make({}, box{{0, 0, 0}, {1, infinite, 1}}));
+  CHECK_FALSE(traversal::make({}, box{{1, 0, 0}, {0, 1, 1}}));
+  CHECK_FALSE(traversal::make({}, box{{0, 0, 0}, {1, infinite, 1}}));
   CHECK_FALSE(lane_certified_traversal<holesrot>::make({}, box{{1, 0, 0}, {0, 1, 1}}));
-  CHECK(work::make({}, box{{0, 0, 0}, {1, 1, 1}}));
+  CHECK(traversal::make({}, box{{0, 0, 0}, {1, 1, 1}}));
 }

@@ -29,15 +29,15 @@ template <class F>
 void compare_certified(const F& f, const box& domain, const std::vector<ray>& rays, batch::path p,
                        tally& t) {
   const auto scalar = certified_traversal<F>::make(f, domain);
-  const auto lanes = lane_certified_traversal<F>::make(f, domain, p);
-  REQUIRE(static_cast<bool>(scalar) == static_cast<bool>(lanes));
+  const auto by_lanes = lane_certified_traversal<F>::make(f, domain, p);
+  REQUIRE(static_cast<bool>(scalar) == static_cast<bool>(by_lanes));
   if (!scalar)
     return;
   std::vector<certified_hit> wanted, hits(rays.size());
   std::uint64_t steps_wanted = 0, steps = 0;
   for (const ray& r : rays)
     wanted.push_back(scalar->first_hit(r, &steps_wanted));
-  lanes->first_hits(rays, hits, &steps);
+  by_lanes->first_hits(rays, hits, &steps);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     t.add(wanted[i].outcome);
     t.differences += !(wanted[i] == hits[i]);
@@ -47,7 +47,7 @@ void compare_certified(const F& f, const box& domain, const std::vector<ray>& ra
   for (std::size_t count = 0; count < std::min<std::size_t>(20, rays.size()); ++count) {
     const std::size_t from = (count * 577) % (rays.size() - count);
     std::vector<certified_hit> some(count);
-    lanes->first_hits(std::span(rays).subspan(from, count), some);
+    by_lanes->first_hits(std::span(rays).subspan(from, count), some);
     t.differences +=
         !std::equal(some.begin(), some.end(), wanted.begin() + static_cast<std::ptrdiff_t>(from));
   }
@@ -60,19 +60,19 @@ void compare_descents(const F& f, const box& domain, const std::vector<ray>& ray
   if (!octree)
     return;
   const auto scalar = surface_traversal<F>::make(f, domain, *octree, level);
-  const auto lanes = lane_traversal<F>::make(f, domain, *octree, level, p);
-  REQUIRE(static_cast<bool>(scalar) == static_cast<bool>(lanes));
+  const auto by_lanes = lane_traversal<F>::make(f, domain, *octree, level, p);
+  REQUIRE(static_cast<bool>(scalar) == static_cast<bool>(by_lanes));
   if (!scalar)
     return;
   std::vector<surface_hit> hits(rays.size());
-  traversal_counts wanted, one, batch;
-  lanes->first_hits(rays, hits, &batch);
+  traversal_counts wanted, single, batch;
+  by_lanes->first_hits(rays, hits, &batch);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const surface_hit h = scalar->first_hit(rays[i], &wanted);
     t.add(h.outcome);
-    t.differences += !same(h, hits[i]) + !same(h, lanes->first_hit(rays[i], &one));
+    t.differences += !same(h, hits[i]) + !same(h, by_lanes->first_hit(rays[i], &single));
   }
-  for (const traversal_counts& c : {one, batch}) {
+  for (const traversal_counts& c : {single, batch}) {
     CHECK(c.cells_opened == wanted.cells_opened);
     CHECK(c.leaves_kept == wanted.leaves_kept);
   }
