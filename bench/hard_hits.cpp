@@ -3,7 +3,6 @@
 // first root: a JSON object a line.
 #include <cstdio>
 #include <cstdlib>
-#include <graze/octree/asterisk.hpp>
 #include <graze/octree/certified_hit.hpp>
 #include <graze/octree/exact.hpp>
 #include <graze/octree/surface_traversal.hpp>
@@ -185,7 +184,10 @@ int main(int argc, char** argv) {
       {"1e-300 beside the tip", {1e-300, 0, -1}, {0, 0, 1}},
       {"1e-10 beside the tip", {1e-10, 0, -1}, {0, 0, 1}},
       {"along a ruling", {-0.375, -0.5, -0.625}, {3, 4, 5}}});
-  on("asterisk(3,4)", asterisk<3, 4>(), 1, rays_of_asterisk());
-  on("asterisk(9,18)", asterisk<9, 18>(), 1, rays_of_asterisk());
+  const auto on_asterisk = [](const auto& row) {
+    on(row.name, row.surface(), row.reach, rays_of_asterisk());
+  };
+  on_asterisk(built_in<asterisk<3, 4>>);
+  on_asterisk(built_in<asterisk<9, 18>>);
   return 0;
 }

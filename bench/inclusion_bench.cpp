@@ -8,8 +8,8 @@
 #include <cstring>
 #include <functional>
 #include <graze/functions/trigonometric.hpp>
-#include <graze/octree/asterisk.hpp>
 #include <graze/octree/surface_traversal.hpp>
+#include <graze/octree/surfaces.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <graze/rounding/environment.hpp>
 #include <memory>
@@ -159,12 +159,13 @@ template <class F> struct named {
 };
 
 /// The last form is the one in use.
-template <class... F>
-void scene(const options& how, const char* name, double scale, double reach, named<F>... forms) {
+template <class Surface, class... F>
+void scene(const options& how, const built_in_surface<Surface>& row, named<F>... forms) {
+  const char* const name = row.name;
   if (!how.wants(name))
     return;
-  const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
-  const std::vector<ray> rays = camera_rays(scale, how.size);
+  const box domain = row.domain();
+  const std::vector<ray> rays = camera_rays(row.scale, how.size);
   std::vector<form> all;
   (all.push_back(make_form<F>(forms.name, how, domain, rays)), ...);
   for (int r = 0; r < how.repetitions; ++r)
@@ -233,7 +234,7 @@ int main(int argc, char** argv) {
     std::printf("| scene | form | octants to level 9 | voxelization, s | octants opened a ray | "
                 "rays, s | times the form in use | hits | undecided |\n"
                 "|---|---|---|---|---|---|---|---|---|\n");
-  scene(how, "tanglecube", 2, 2.5, //
+  scene(how, built_in<tanglecube>, //
         named<natural<tanglecube_products>>{"x x x x - 5 x x: natural"},
         named<with_mean_value<tanglecube_products>>{"x x x x - 5 x x: natural, mean value"},
         named<natural<tanglecube_powers>>{"x^4 - 5 x^2: natural"},
@@ -241,29 +242,29 @@ int main(int argc, char** argv) {
         named<natural<tanglecube_factors>>{"x^2 (x^2 - 5): natural"},
         named<with_mean_value<tanglecube>>{"(x^2 - 5/2)^2: natural, mean value"},
         named<tanglecube>{"(x^2 - 5/2)^2: natural"});
-  scene(how, "quartdef", 1.125, 1.5, //
+  scene(how, built_in<quartdef>, //
         named<natural<quartdef_powers>>{"x^4 - 2 x^2: natural"},
         named<with_mean_value<quartdef_powers>>{"x^4 - 2 x^2: natural, mean value"},
         named<with_mean_value<quartdef>>{"(x^2 - 1)^2: natural, mean value"},
         named<quartdef>{"(x^2 - 1)^2: natural"});
-  scene(how, "holesrot", 2, 2, //
+  scene(how, built_in<holesrot>, //
         named<natural<holesrot_products>>{"x x x - x: natural"},
         named<with_mean_value<holesrot_products>>{"x x x - x: natural, mean value"},
         named<natural<holesrot_factors>>{"x (x^2 - 1): natural"},
         named<with_mean_value<holesrot_factors>>{"x (x^2 - 1): natural, mean value"},
         named<with_mean_value<holesrot>>{"monotone pieces, mean value"},
         named<holesrot>{"monotone pieces"});
-  scene(how, "spheres", 1.5, 2.5, //
+  scene(how, built_in<spheres>, //
         named<natural<spheres_powers>>{"x^2 - 2 a x: natural"},
         named<with_mean_value<spheres_powers>>{"x^2 - 2 a x: natural, mean value"},
         named<with_mean_value<spheres>>{"(x - a)^2: natural, mean value"},
         named<spheres>{"(x - a)^2: natural"});
   scene(
-      how, "asterisk(3,4)", 0.5, 1, //
+      how, built_in<asterisk<3, 4>>, //
       named<natural<asterisk_sines<3, 4>>>{"sines: natural"},
       named<with_mean_value<asterisk<3, 4>>>{"monotone pieces of polynomials: natural, mean value"},
       named<asterisk<3, 4>>{"monotone pieces of polynomials: natural"});
-  scene(how, "asterisk(9,18)", 0.5, 1, //
+  scene(how, built_in<asterisk<9, 18>>, //
         named<natural<asterisk_sines<9, 18>>>{"sines: natural"},
         named<with_mean_value<asterisk<9, 18>>>{
             "monotone pieces of polynomials: natural, mean value"},

@@ -71,11 +71,10 @@ void first_hits(const options& how, const char* scene, const box& domain,
           static_cast<double>(rays.size()), spread_of(c.times));
 }
 
-template <class F> void surface(const options& how, const char* scene, double scale, double reach) {
-  if (!how.wants(scene))
-    return;
-  const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
-  const std::vector<ray> rays = camera_rays(scale, how.size);
+template <class F> void surface(const options& how, const built_in_surface<F>& row) {
+  const char* const scene = row.name;
+  const box domain = row.domain();
+  const std::vector<ray> rays = camera_rays(row.scale, how.size);
   {
     std::vector<contender> all;
     for (const batch::path p : batch::paths)
@@ -103,10 +102,10 @@ template <class F> void surface(const options& how, const char* scene, double sc
 }
 
 /// The octree of the descent is made beforehand; certified hits need none.
-template <class F>
-void certified(const options& how, const char* scene, double scale, double reach) {
-  const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
-  const std::vector<ray> rays = camera_rays(scale, how.size);
+template <class F> void certified(const options& how, const built_in_surface<F>& row) {
+  const char* const scene = row.name;
+  const box domain = row.domain();
+  const std::vector<ray> rays = camera_rays(row.scale, how.size);
   const auto octree = voxelize_in_lanes(F{}, domain, 9);
   if (!octree)
     return;
@@ -217,17 +216,14 @@ int main(int argc, char** argv) {
     else
       return complain(("bad option " + a).c_str());
   }
-  if (mode == "certified") {
-    certified<tanglecube>(how, "tanglecube", 2, 2.5);
-    certified<quartdef>(how, "quartdef", 1.125, 1.5);
-    certified<holesrot>(how, "holesrot", 2, 2);
-    certified<spheres>(how, "spheres", 1.5, 2.5);
-    return 0;
-  }
   if (mode == "images")
     return images(how);
   if (mode == "table")
     return table(how);
-  surface<tanglecube>(how, "tanglecube", 2, 2.5);
-  surface<quartdef>(how, "quartdef", 1.125, 1.5);
+  for_each_built_in([&]<class F>(const built_in_surface<F>& row) {
+    if constexpr (is_algebraic<F>()) // others take minutes
+      if (how.wants(row.name))
+        mode == "certified" ? certified(how, row) : surface(how, row);
+  });
+  return 0;
 }

@@ -26,6 +26,21 @@ struct paper_row {
   double gargantini, ours, with_sse2;
 };
 
+paper_row paper_times(std::string_view scene) {
+  struct named_row {
+    std::string_view scene;
+    paper_row times;
+  };
+  constexpr named_row rows[] = {
+      {"spheres", {15.516, 15.235, 19.860}},    {"quartdef", {26.109, 0, 0}},
+      {"tanglecube", {30.719, 0, 0}},           {"holesrot", {30.469, 0, 0}},
+      {"asterisk(3,4)", {113.875, 109.546, 0}}, {"asterisk(9,18)", {0, 0, 140.562}}};
+  for (const named_row& row : rows)
+    if (row.scene == scene)
+      return row.times;
+  return {0, 0, 0};
+}
+
 /// The first root of a pixel's ray: at t = head + tail, within half_width; no number where the
 /// exact ray misses, infinity where it is not known.
 struct root {
@@ -38,10 +53,6 @@ struct root {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-/// Along a ray the surface is a polynomial: its roots are isolated over rationals.
-template <class F> constexpr bool is_polynomial = true;
-template <int M, int N> constexpr bool is_polynomial<asterisk<M, N>> = false;
-
 template <class F> root exact_root(const F& f, const ray& r, const box& domain) {
   const auto found = support::first_root(f, r, domain);
   if (!found)
@@ -53,7 +64,7 @@ template <class F> root exact_root(const F& f, const ray& r, const box& domain) 
 
 template <class F> std::vector<root> make_truth(const box& domain, const std::vector<ray>& rays) {
   std::vector<root> truth;
-  if constexpr (is_polynomial<F>) {
+  if constexpr (is_algebraic<F>()) {
     for (const ray& r : rays)
       truth.push_back(exact_root(F{}, r, domain));
   } else {
@@ -290,12 +301,11 @@ void print_table(const row& r, std::size_t rays) {
 
 /// One row for each method at each level; `as_table` without a judgement.
 template <class F>
-void scene(const options& how, bool as_table, const char* name, double scale, double reach,
-           const paper_row& paper) {
-  if (!how.wants(name))
-    return;
-  const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
-  const std::vector<ray> rays = camera_rays(scale, how.size);
+void scene(const options& how, bool as_table, const built_in_surface<F>& surface) {
+  const char* const name = surface.name;
+  const paper_row paper = paper_times(name);
+  const box domain = surface.domain();
+  const std::vector<ray> rays = camera_rays(surface.scale, how.size);
   double start = seconds();
   const auto octree = voxelize_in_lanes(F{}, domain, 9);
   const double voxelized = seconds() - start;
@@ -317,13 +327,13 @@ void scene(const options& how, bool as_table, const char* name, double scale, do
         "{\"what\": \"scene\", \"scene\": \"%s\", \"size\": %d, \"truth\": \"%s\", \"hits\": %td, "
         "\"misses\": %td, \"truth_half_width\": %.3e, \"truth_seconds\": %.3f, \"octree_seconds\": "
         "%.5f}\n",
-        name, how.size, is_polynomial<F> ? "exact" : "certified", hits, misses, widest,
+        name, how.size, is_algebraic<F>() ? "exact" : "certified", hits, misses, widest,
         seconds() - start, voxelized);
   }
   const auto show = [&](int levels, std::vector<method>& all) {
     measure(all, how);
     const double bound =
-        levels == 0 ? 0 : std::sqrt(3.0) * std::ldexp(octree->box().size, -levels - 1);
+        levels == 0 ? 0 : std::sqrt(3.0) * std::ldexp(octree->root_octant().size, -levels - 1);
     const auto judge_of = std::find_if(all.begin(), all.end(), [](const method& m) {
       return std::string_view(m.name) == "exact";
     });
@@ -353,13 +363,10 @@ void scene(const options& how, bool as_table, const char* name, double scale, do
 }
 
 int all_scenes(const options& how, bool as_table) {
-  // Table 1: Gar., Ours, with SSE2
-  scene<spheres>(how, as_table, "spheres", 1.5, 2.5, {15.516, 15.235, 19.860});
-  scene<quartdef>(how, as_table, "quartdef", 1.125, 1.5, {26.109, 0, 0});
-  scene<tanglecube>(how, as_table, "tanglecube", 2, 2.5, {30.719, 0, 0});
-  scene<holesrot>(how, as_table, "holesrot", 2, 2, {30.469, 0, 0});
-  scene<asterisk<3, 4>>(how, as_table, "asterisk(3,4)", 0.5, 1, {113.875, 109.546, 0});
-  scene<asterisk<9, 18>>(how, as_table, "asterisk(9,18)", 0.5, 1, {0, 0, 140.562});
+  for_each_built_in([&](const auto& surface) {
+    if (how.wants(surface.name))
+      scene(how, as_table, surface);
+  });
   return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <graze/octree/descent.hpp>
 #include <graze/octree/sound.hpp>
+#include <graze/octree/surfaces.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <graze/octree_file.hpp>
 #include <graze/rounding/nearest.hpp>
@@ -25,10 +26,10 @@ void sign(std::uint8_t* data, std::size_t size) {
 /// The leaves that a ray from the root's corner through its middle meets.
 std::size_t leaves_on_diagonal(const octree::sparse_octree& tree) {
   using method = octree::sound<rounding::nearest, octree::convention::closed>;
-  const auto ray = octree::ray::make(tree.box().lo, {1, 1, 1});
+  const auto ray = octree::ray::make(tree.root_octant().lo, {1, 1, 1});
   std::size_t count = 0;
   const method m(*ray);
-  octree::descend(m, tree.box(), tree.level(), tree,
+  octree::descend(m, tree.root_octant(), tree.level(), tree,
                   [&](const octree::cube&, std::uint32_t n, const method::state&) {
                     count += tree.leaf(n) == octree::content::possible ? 1 : 2;
                     return false;

@@ -21,9 +21,9 @@ std::vector<Value> interleave(const std::vector<const channel*>& planes, Convert
   return result;
 }
 
-unexpected failure(const char* what, std::string detail) {
+unexpected failure(const char* action, std::string detail) {
   std::replace(detail.begin(), detail.end(), '\n', ' ');
-  return unexpected{fmt::format("{}: {}", what, detail.empty() ? "unknown reason" : detail)};
+  return unexpected{fmt::format("{}: {}", action, detail.empty() ? "unknown reason" : detail)};
 }
 
 } // namespace

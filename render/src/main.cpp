@@ -1,7 +1,7 @@
 // graze-render: a picture of an implicit surface, each ray with its verdict.
 #include "request.hpp"
+#include "scene_options.hpp"
 
-#include <graze/octree_formula.hpp>
 #include <graze/render/picture_texts.hpp>
 #include <graze/render/scene_text.hpp>
 #include <graze/support/files.hpp>
@@ -15,11 +15,11 @@ using namespace graze::render;
 using namespace graze::support;
 using graze::expected, graze::unexpected;
 constexpr const char* software = "graze-render " GRAZE_VERSION;
-constexpr const char* default_domain = "-2,2";
 constexpr int not_written = 1; ///< the picture, as --help says
 
 struct request {
-  std::string scene_name, formula, domain, again; ///< the scene: by one of the first two, or again
+  scene_options scene; ///< or the picture to be made again
+  std::string again;
   std::string mode = "cast", method, size = "512", crop;
   picture_settings settings;
   int threads = 0;
@@ -33,67 +33,41 @@ int end_with(int code, const std::string& why) {
   return code;
 }
 
-expected<scene> scene_in_file(const std::string& name) {
-  const auto text = read_file(name, largest_scene_text);
-  if (!text)
-    return unexpected{text.reason()};
-  auto found = scene_from(*text);
-  if (!found)
-    return unexpected{fmt::format("{}: {}", shown(name), found.reason())};
-  return found;
-}
-
-expected<scene> scene_of(const std::string& formula, const std::string& domain) {
-  if (const auto parsed = graze::octree::formula::parse(formula); !parsed)
-    return unexpected{"--formula: " + parsed.reason()};
-  const auto box = domain_from(domain);
-  if (!box)
-    return unexpected{"--domain: " + box.reason()};
-  return scene{"formula",
-               "",
-               *box,
-               fitting_camera(*box),
-               fitting_lights(*box),
-               {{"surface", formula, material{default_body}}},
-               {}};
-}
-
 /// The scene and the settings that a picture tells.
 expected<scene> scene_of_picture(const std::string& file, picture_settings& settings) {
   const auto texts = texts_of_picture(file);
   if (!texts)
     return unexpected{texts.reason()};
-  const auto told = [&](const char* key) {
+  const auto text_at = [&](const char* key) {
     const auto text = texts->find(key);
     return text != texts->end() ? text->second : std::string();
   };
   if (!texts->contains("graze:scene"))
     return unexpected{in_quotes(file) + " tells of no scene: graze-render has not made it"};
-  auto s = scene_from(told("graze:scene"));
-  auto how = picture_settings::from(told("graze:settings"));
-  if (!s || !how)
-    return unexpected{in_quotes(file) + ": " + (s ? how.reason() : s.reason())};
-  settings = *how;
-  if (const std::string by = told("Software"); by != software)
-    complain(in_quotes(file) + " was made by " + shown(by, 80) + ": the bytes may differ");
+  auto s = scene_from(text_at("graze:scene"));
+  auto stored = picture_settings::parse(text_at("graze:settings"));
+  if (!s || !stored)
+    return unexpected{in_quotes(file) + ": " + (s ? stored.reason() : s.reason())};
+  settings = *stored;
+  if (const std::string maker = text_at("Software"); maker != software)
+    complain(in_quotes(file) + " was made by " + shown(maker, 80) + ": the bytes may differ");
   return s;
 }
 
 /// The scene and, in r.settings, how it is rendered; or the reason why that cannot be done. Asked
 /// before any work.
 expected<scene> understand(request& r) {
-  const int given = int{!r.scene_name.empty()} + int{!r.formula.empty()} + int{!r.again.empty()};
-  if (given != 1)
+  if (r.scene.count() + int{!r.again.empty()} != 1)
     return unexpected{"one of --scene, --formula, --again is needed (--help shows the options)"};
   if (r.threads < 0 || r.threads > static_cast<int>(most_threads))
     return unexpected{fmt::format("--threads must be 0 to {}, not {}", most_threads, r.threads)};
-  if (!r.domain.empty() && r.formula.empty())
-    return unexpected{"--domain is of --formula"};
+  if (const status may = r.scene.check(); !may)
+    return unexpected{may.reason()};
   const auto size = extent_from(r.size);
   if (!size)
     return unexpected{size.reason()};
   r.settings.size = *size;
-  r.settings.how = r.mode == "trace" ? mode::trace : mode::cast;
+  r.settings.mode = r.mode == "trace" ? mode::trace : mode::cast;
   if (!r.crop.empty()) {
     const auto crop = window_from(r.crop);
     if (!crop)
@@ -108,14 +82,7 @@ expected<scene> understand(request& r) {
     return unexpected{may.reason()};
   if (!r.again.empty())
     return scene_of_picture(r.again, r.settings);
-  if (!r.formula.empty())
-    return scene_of(r.formula, r.domain.empty() ? default_domain : r.domain);
-  if (const scene* s = find_scene(r.scene_name); s != nullptr)
-    return *s;
-  if (r.scene_name.ends_with(".json"))
-    return scene_in_file(r.scene_name);
-  return unexpected{fmt::format("unknown scene '{}'; there are {}, and files that end in .json",
-                                r.scene_name, scene_names())};
+  return r.scene.read();
 }
 
 nlohmann::ordered_json counts_of(const tally& c) {
@@ -139,15 +106,15 @@ void describe(picture& image, const request& r, const scene& s, const rendering&
                     {"graze:complete", result.complete ? "yes" : "no"}};
 }
 
-void print_summary(const request& r, const scene& s, const caster& work, double octree_seconds,
+void print_summary(const request& r, const scene& s, const caster& surface, double octree_seconds,
                    const rendering& result) {
   const tally& c = result.counts;
   const double rate = result.seconds > 0 ? static_cast<double>(c.rays()) / result.seconds : 0;
-  const bool descends = r.settings.by == method::descent;
+  const bool descends = r.settings.method == method::descent;
   const char* const by_name = descends ? "descent" : "certified";
   if (r.json) {
     nlohmann::ordered_json line = {{"scene", s.name},
-                                   {"mode", r.settings.how == mode::trace ? "trace" : "cast"},
+                                   {"mode", r.settings.mode == mode::trace ? "trace" : "cast"},
                                    {"method", by_name},
                                    {"levels", r.settings.levels},
                                    {"octree_level", r.settings.octree_level},
@@ -159,7 +126,7 @@ void print_summary(const request& r, const scene& s, const caster& work, double 
                                    {"complete", result.complete}};
     line.update(counts_of(c));
     line.update({{"octants_per_ray", c.octants_a_ray()},
-                 {"octree_leaves", work.octree_leaves()},
+                 {"octree_leaves", surface.octree_leaves()},
                  {"octree_seconds", octree_seconds},
                  {"seconds", result.seconds},
                  {"rays_per_second", rate}});
@@ -172,27 +139,29 @@ void print_summary(const request& r, const scene& s, const caster& work, double 
         descends ? fmt::format("NL {}", r.settings.levels) : by_name, c.rays(), result.seconds,
         three_digits(rate), c.hits, c.misses, c.undecided, c.octants_a_ray(),
         descends ? "octants" : "steps",
-        descends
-            ? fmt::format("octree of {} leaves in {:.2f} s; ", work.octree_leaves(), octree_seconds)
-            : "",
+        descends ? fmt::format("octree of {} leaves in {:.2f} s; ", surface.octree_leaves(),
+                               octree_seconds)
+                 : "",
         shown(r.output, 1000));
 }
 
 int render_to_file(const request& r, const scene& s) {
-  const picture_settings& how = r.settings;
+  const picture_settings& chosen = r.settings;
   const file_format format = *format_of(r.output);
   const auto start = std::chrono::steady_clock::now();
-  auto work = prepare(s, std::min(how.octree_level, how.levels), how.levels, how.by);
-  if (!work)
-    return bad_input(work.reason());
+  auto surface =
+      prepare(s, std::min(chosen.octree_level, chosen.levels), chosen.levels, chosen.method);
+  if (!surface)
+    return bad_input(surface.reason());
   const double octree_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   progress_line line("pixels", r.progress);
-  const settings loop = {how.size, static_cast<unsigned>(r.threads), how.how, side_of(how.spp),
-                         how.crop, format == file_format::exr};
+  const settings loop = {chosen.size, static_cast<unsigned>(r.threads),
+                         chosen.mode, side_of(chosen.spp),
+                         chosen.crop, format == file_format::exr};
   const rendering result =
-      render_picture(s, **work, loop, &stop_wanted,
+      render_picture(s, **surface, loop, &stop_wanted,
                      [&](std::uint64_t done_pixels, std::uint64_t pixels, double seconds) {
                        line.show({done_pixels, pixels, seconds});
                      });
@@ -208,7 +177,7 @@ int render_to_file(const request& r, const scene& s) {
     return end_with(not_written, bytes.reason());
   if (const status written = write_atomically(r.output, *bytes); !written)
     return end_with(not_written, written.reason());
-  print_summary(r, s, **work, octree_seconds, result);
+  print_summary(r, s, **surface, octree_seconds, result);
   if (result.complete)
     return done;
   return end_with(ended_by_signal,
@@ -217,12 +186,7 @@ int render_to_file(const request& r, const scene& s) {
 }
 
 void declare(CLI::App& app, request& r) {
-  app.add_option("--scene", r.scene_name, "One of " + scene_names() + ",\nor a .json file");
-  app.add_option("--formula", r.formula, "The surface f = 0, such as \"x^2 + y^2 + z^2 - 1\"");
-  app.add_option("--domain", r.domain,
-                 fmt::format("Of --formula: lo,hi for all axes, or x0,x1,y0,y1,z0,z1 (as "
-                             "--domain=-1,1); without it {}",
-                             default_domain));
+  r.scene.declare(app);
   const auto again =
       app.add_option("--again", r.again,
                      "A picture of graze-render: its scene and settings once more, the same bytes");
@@ -283,7 +247,7 @@ int start(int argc, char** argv) {
   const bool of_descent = app.count("--levels") + app.count("--octree-level") != 0;
   if (of_descent && r.method == "certified")
     return bad_input("--levels and --octree-level are of --method descent");
-  r.settings.by = of_descent || r.method == "descent" ? method::descent : method::certified;
+  r.settings.method = of_descent || r.method == "descent" ? method::descent : method::certified;
   listen_for_interrupts();
   const auto s = understand(r);
   if (!s)

@@ -27,22 +27,22 @@ const pixel unfinished_pixel = {narrow(unfinished_colour), std::numeric_limits<f
 /// for again, they cost more than the rays.
 class worker {
 public:
-  worker(const scene& s, const caster& work, const settings& how, rendering& target,
+  worker(const scene& s, const caster& surface, const settings& chosen, rendering& target,
          const std::atomic<bool>* stop)
-      : scene_(s), work_(work, stop), how_(how), target_(target), shader_(s, work_, how.how),
-        place_(target.part) {}
+      : scene_(s), surface_(surface, stop), settings_(chosen), target_(target),
+        shader_(s, surface_, chosen.mode), place_(target.part) {}
 
   /// `place` is relative to the rendering's part. False, and nothing is left of it, if the work was
   /// stopped.
   bool render(const window& place) {
     const tally before = counts_;
     look_at(place);
-    if (!work_.stopped())
+    if (!surface_.stopped())
       return true;
     counts_ = before;
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       target_.pixels[at(k)] = unfinished_pixel;
-      if (how_.facts)
+      if (settings_.facts)
         target_.facts[at(k)] = {};
     }
     return false;
@@ -55,7 +55,7 @@ private:
     place_ = place;
     sums_.assign(place.size.count(), colour{});
     colours_.resize(place.size.count());
-    const int side = how_.sampling;
+    const int side = settings_.sampling;
     for (int j = 0; j < side; ++j)
       for (int i = 0; i < side; ++i) {
         const bool centre = 2 * i + 1 == side && 2 * j + 1 == side;
@@ -91,14 +91,14 @@ private:
                                                 whole.width * side, whole.height * side));
     hits_.resize(rays_.size());
     counts_.camera_rays += rays_.size();
-    if (!centre || !how_.facts) {
-      work_.first_hits(rays_, hits_, &counts_.visited);
+    if (!centre || !settings_.facts) {
+      surface_.first_hits(rays_, hits_, &counts_.visited);
       return;
     }
     steps_.assign(rays_.size(), 0); // one by one: the same hits, and each ray's own count
-    for (std::size_t k = 0; k < rays_.size() && !work_.stopped(); ++k) {
+    for (std::size_t k = 0; k < rays_.size() && !surface_.stopped(); ++k) {
       octree::traversal_counts own;
-      work_.whole().first_hits({&rays_[k], 1}, {&hits_[k], 1}, &own);
+      surface_.whole().first_hits({&rays_[k], 1}, {&hits_[k], 1}, &own);
       steps_[k] = own.cells_opened;
       counts_.visited.cells_opened += own.cells_opened;
       counts_.visited.leaves_kept += own.leaves_kept;
@@ -126,7 +126,7 @@ private:
         depth = static_cast<float>(middle(h) * unit);
         break;
       }
-      if (!how_.facts)
+      if (!settings_.facts)
         continue;
       pixel_facts& f = target_.facts[at(k)];
       f.verdict = static_cast<int>(h.outcome);
@@ -141,8 +141,8 @@ private:
       if (h.outcome == octree::verdict::undecided)
         continue;
       const vec3 point = point_at(rays_[k], middle(h));
-      f.normal = narrow(facing_normal(work_.whole().gradient(point), d));
-      f.object = static_cast<int>(work_.whole().object_at(point));
+      f.normal = narrow(facing_normal(surface_.whole().gradient(point), d));
+      f.object = static_cast<int>(object_at(scene_, point));
     }
   }
 
@@ -155,8 +155,8 @@ private:
   }
 
   const scene& scene_;
-  interruptible_caster work_;
-  const settings& how_;
+  interruptible_caster surface_;
+  const settings& settings_;
   rendering& target_;
   shader shader_;
   tally counts_;
@@ -184,14 +184,14 @@ tally& tally::operator+=(const tally& part) {
   return *this;
 }
 
-rendering render_picture(const scene& s, const caster& work, const settings& how,
+rendering render_picture(const scene& s, const caster& surface, const settings& chosen,
                          const std::atomic<bool>* stop, const progress_report& report) {
   rendering result;
-  result.whole = how.size;
-  result.part = how.crop.value_or(window{0, 0, how.size});
+  result.whole = chosen.size;
+  result.part = chosen.crop.value_or(window{0, 0, chosen.size});
   const std::size_t count = result.part.size.count();
   result.pixels.assign(count, unfinished_pixel);
-  if (how.facts)
+  if (chosen.facts)
     result.facts.resize(count);
 
   const auto start = std::chrono::steady_clock::now();
@@ -212,7 +212,7 @@ rendering render_picture(const scene& s, const caster& work, const settings& how
   std::atomic<bool> failed{false};
   std::mutex merging;
   const auto take_tiles = [&] {
-    worker mine(s, work, how, result, stop);
+    worker mine(s, surface, chosen, result, stop);
     for (int tile = next++; tile < across * down && !failed; tile = next++) {
       const window place = place_of(tile);
       if (!mine.render(place))
@@ -222,7 +222,7 @@ rendering render_picture(const scene& s, const caster& work, const settings& how
     const std::lock_guard lock(merging);
     result.counts += mine.counts();
   };
-  support::thread_group workers(how.threads, take_tiles, [&failed] { failed = true; });
+  support::thread_group workers(chosen.threads, take_tiles, [&failed] { failed = true; });
   while (!workers.wait_for(std::chrono::milliseconds(100)))
     if (report)
       report(done.load(std::memory_order_relaxed), count, elapsed());
@@ -236,12 +236,12 @@ picture to_picture(const rendering& result) {
   const window& part = result.part;
   picture image{part.size.width,    part.size.height,   {}, {}, part.column, part.row,
                 result.whole.width, result.whole.height};
-  const auto add = [&image](std::string name, const auto& all, const auto& value_of) {
+  const auto add = [&image](std::string name, const auto& pixels, const auto& value_of) {
     channel& c = image.channels.emplace_back();
     c.name = std::move(name);
-    c.values.reserve(all.size());
-    for (const auto& one : all)
-      c.values.push_back(static_cast<float>(value_of(one)));
+    c.values.reserve(pixels.size());
+    for (const auto& p : pixels)
+      c.values.push_back(static_cast<float>(value_of(p)));
   };
   add("R", result.pixels, [](const pixel& p) { return p.colour[0]; });
   add("G", result.pixels, [](const pixel& p) { return p.colour[1]; });

@@ -73,29 +73,30 @@ support::status picture_settings::check() const {
 }
 
 std::string picture_settings::text() const {
-  nlohmann::ordered_json j = {{"mode", how == mode::trace ? "trace" : "cast"},
-                              {"method", by == method::certified ? "certified" : "descent"},
-                              {"levels", levels},
-                              {"octree_level", octree_level},
-                              {"size", {size.width, size.height}},
-                              {"spp", spp}};
+  nlohmann::ordered_json j = {
+      {"mode", mode == render::mode::trace ? "trace" : "cast"},
+      {"method", method == render::method::certified ? "certified" : "descent"},
+      {"levels", levels},
+      {"octree_level", octree_level},
+      {"size", {size.width, size.height}},
+      {"spp", spp}};
   if (crop)
     j["crop"] = {crop->column, crop->row, crop->size.width, crop->size.height};
   return j.dump();
 }
 
-expected<picture_settings> picture_settings::from(std::string_view text) {
+expected<picture_settings> picture_settings::parse(std::string_view text) {
   try {
     const auto j = nlohmann::json::parse(text);
     picture_settings s;
-    const auto how = j.at("mode").get<std::string>();
-    if (how != "cast" && how != "trace")
+    const auto mode_name = j.at("mode").get<std::string>();
+    if (mode_name != "cast" && mode_name != "trace")
       return unexpected{"its mode is unknown"};
-    s.how = how == "trace" ? mode::trace : mode::cast;
-    const auto by = j.value("method", "descent"); // pictures of before there was another
-    if (by != "descent" && by != "certified")
+    s.mode = mode_name == "trace" ? render::mode::trace : render::mode::cast;
+    const auto method_name = j.value("method", "descent"); // pictures of before there was another
+    if (method_name != "descent" && method_name != "certified")
       return unexpected{"its method is unknown"};
-    s.by = by == "certified" ? method::certified : method::descent;
+    s.method = method_name == "certified" ? render::method::certified : render::method::descent;
     s.levels = j.at("levels").get<int>();
     s.octree_level = j.at("octree_level").get<int>();
     s.size = {j.at("size").at(0).get<int>(), j.at("size").at(1).get<int>()};

@@ -9,8 +9,8 @@ namespace graze::render {
 
 /// All on which the bytes of a picture depend, beside the scene and the version.
 struct picture_settings {
-  mode how = mode::cast;
-  method by = method::certified;
+  render::mode mode = render::mode::cast;
+  render::method method = render::method::certified;
   int levels = 30;
   int octree_level = 9;
   extent size = 512;
@@ -21,7 +21,7 @@ struct picture_settings {
   [[nodiscard]] support::status check() const;
   /// As JSON on one line; and back, where any text is refused that is none.
   [[nodiscard]] std::string text() const;
-  static expected<picture_settings> from(std::string_view text);
+  static expected<picture_settings> parse(std::string_view text);
 };
 
 /// "512" or "640x480".

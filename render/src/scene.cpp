@@ -1,27 +1,19 @@
-// Scenes of formulas.
-#include "casters.hpp"
+// What is made of a scene: its surface, and what casts rays at it.
+#include "scene_surface.hpp"
+#include "surface_caster.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
-#include <graze/octree_formula.hpp>
-#include <graze/octree_formula/lane_kernels.hpp>
 
 namespace graze::render {
 namespace {
 
-using octree::formula, octree::formula_surface;
 using backend = octree::kernel_backend;
 
-/// The scene's formulas, compiled; they outlive the surfaces made of them.
-struct compiled {
-  formula whole;
-  std::vector<formula> parts; ///< the objects', by index
-};
-
 std::string text_of(const solid& shape, const std::vector<object>& objects) {
-  if (shape.how == solid::kind::single)
-    return fmt::format("({})", objects[shape.single].formula);
-  if (shape.how == solid::kind::subtract) {
+  if (shape.form == solid::kind::single)
+    return fmt::format("({})", objects[shape.single].formula->text());
+  if (shape.form == solid::kind::subtract) {
     std::string rest = text_of(shape.parts.front(), objects);
     for (std::size_t i = 1; i < shape.parts.size(); ++i)
       rest = fmt::format("difference({},{})", rest, text_of(shape.parts[i], objects));
@@ -30,7 +22,7 @@ std::string text_of(const solid& shape, const std::vector<object>& objects) {
   std::vector<std::string> parts;
   for (const solid& part : shape.parts)
     parts.push_back(text_of(part, objects));
-  return fmt::format("{}({})", shape.how == solid::kind::unite ? "union" : "intersection",
+  return fmt::format("{}({})", shape.form == solid::kind::unite ? "union" : "intersection",
                      fmt::join(parts, ","));
 }
 
@@ -41,85 +33,24 @@ struct active {
   std::size_t object;
 };
 active active_at(const solid& shape, std::span<const double> values) {
-  if (shape.how == solid::kind::single)
+  if (shape.form == solid::kind::single)
     return {values[shape.single], shape.single};
   active found = active_at(shape.parts.front(), values);
   for (std::size_t i = 1; i < shape.parts.size(); ++i) {
     active next = active_at(shape.parts[i], values);
-    if (shape.how == solid::kind::subtract)
+    if (shape.form == solid::kind::subtract)
       next.value = -next.value;
-    if (shape.how == solid::kind::unite ? next.value < found.value : next.value > found.value)
+    if (shape.form == solid::kind::unite ? next.value < found.value : next.value > found.value)
       found = next;
   }
   return found;
 }
 
-/// A lane_caster beside the formulas to which its surface refers.
-class formula_caster final : public caster {
-public:
-  formula_caster(compiled text, solid shape, std::unique_ptr<lane_caster<formula_surface>> work)
-      : text_(std::move(text)), shape_(std::move(shape)), work_(std::move(work)) {}
-
-  void first_hits(std::span<const octree::ray> rays, std::span<octree::surface_hit> hits,
-                  octree::traversal_counts* counts) const override {
-    work_->first_hits(rays, hits, counts);
-  }
-  vec3 gradient(const vec3& point) const override { return work_->gradient(point); }
-  void depart(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
-              std::span<departure> departures) const override {
-    work_->depart(rays, hits, departures);
-  }
-  std::size_t object_at(const vec3& point) const override {
-    if (text_.parts.size() == 1)
-      return 0;
-    std::vector<double> values;
-    for (const formula& part : text_.parts)
-      values.push_back(part.surface()(point[0], point[1], point[2]));
-    return active_at(shape_, values).object;
-  }
-  std::uint64_t octree_leaves() const override { return work_->octree_leaves(); }
-
-private:
-  compiled text_;
-  solid shape_;
-  std::unique_ptr<lane_caster<formula_surface>> work_;
-};
-
-/// Where intervals can tell little of a formula, so that a coarse octree is nearly full, it stays
-/// coarse: verdicts do not depend on the octree's level, but its memory does.
-expected<std::unique_ptr<lane_caster<formula_surface>>> make_lane_caster(const formula_surface& f,
-                                                                         const octree::box& domain,
-                                                                         int octree_level,
-                                                                         int levels, method by) {
-  constexpr int coarse_level = 6;
-  constexpr std::uint64_t most_coarse_leaves = 1 << 16; // of 2^18
-  if (by == method::certified)
-    return lane_caster<formula_surface>::make(f, domain, octree_level, levels, by);
-  auto coarse = lane_caster<formula_surface>::make(f, domain, std::min(octree_level, coarse_level),
-                                                   levels, by);
-  if (!coarse || octree_level <= coarse_level || (*coarse)->octree_leaves() > most_coarse_leaves)
-    return coarse;
-  return lane_caster<formula_surface>::make(f, domain, octree_level, levels, by);
-}
-
-expected<compiled> compile(const scene& s) {
-  std::vector<formula> parts;
-  for (const object& o : s.objects) {
-    auto part = formula::parse(o.formula);
-    if (!part)
-      return unexpected{part.reason()};
-    parts.push_back(*std::move(part));
-  }
-  auto whole = formula::parse(formula_of(s));
-  if (!whole)
-    return unexpected{"all objects together: " + whole.reason()};
-  return compiled{*std::move(whole), std::move(parts)};
-}
-
 /// Whether a picture can show something: not where f is proven to have no zero in the domain, or
 /// nothing at all is proven of it in any of 32^3 parts of the domain.
-support::status check_surface(const formula_surface& f, const octree::box& domain) {
+support::status check_surface(const octree::formula& whole, const octree::box& domain) {
   constexpr int parts = 32;
+  const octree::formula_surface f = whole.surface();
   [[maybe_unused]] const backend::scope scope;
   const auto face = [&](std::size_t a, int i) {
     return i == parts ? domain.hi[a]
@@ -144,29 +75,79 @@ support::status check_surface(const formula_surface& f, const octree::box& domai
       "interval that holds 0, or is not proven to be defined and continuous"};
 }
 
+/// The surface of the objects together, compiled; of one object, its own.
+expected<octree::formula> compile(const scene& s) {
+  if (s.shape.form == solid::kind::single)
+    return *s.objects[s.shape.single].formula;
+  auto whole = octree::formula::parse(formula_text(s));
+  if (!whole)
+    return unexpected{"all objects together: " + whole.reason()};
+  return whole;
+}
+
+template <class F>
+expected<std::unique_ptr<caster>> make_caster(const octree::built_in_surface<F>& source,
+                                              const octree::box& domain, int octree_level,
+                                              int levels, method search) {
+  return surface_caster<octree::built_in_surface<F>>::make(source, domain, octree_level, levels,
+                                                           search);
+}
+/// Where intervals can tell little of a formula, so that a coarse octree is nearly full, it stays
+/// coarse: verdicts do not depend on the octree's level, but its memory does.
+expected<std::unique_ptr<caster>> make_caster(const octree::formula& source,
+                                              const octree::box& domain, int octree_level,
+                                              int levels, method search) {
+  constexpr int coarse_level = 6;
+  constexpr std::uint64_t most_coarse_leaves = 1 << 16; // of 2^18
+  const auto make = [&](int level) {
+    return surface_caster<octree::formula>::make(source, domain, level, levels, search);
+  };
+  if (search == method::certified || octree_level <= coarse_level)
+    return make(octree_level);
+  auto coarse = make(coarse_level);
+  if (!coarse || (*coarse)->octree_leaves() > most_coarse_leaves)
+    return coarse;
+  return make(octree_level);
+}
+
 } // namespace
 
-std::string formula_of(const scene& s) {
-  if (!s.built_in.empty() || s.shape.how == solid::kind::single)
-    return s.objects[s.shape.single].formula;
+expected<octree::formula> proven_surface(const scene& s) {
+  auto whole = compile(s);
+  if (!whole)
+    return whole;
+  if (const support::status may = check_surface(*whole, s.domain); !may)
+    return unexpected{may.reason()};
+  return whole;
+}
+
+std::string formula_text(const scene& s) {
+  std::string text;
+  octree::for_each_built_in([&](const auto& row) {
+    if (row.name == s.built_in)
+      text = row.formula;
+  });
+  if (!s.built_in.empty())
+    return text;
+  if (s.shape.form == solid::kind::single)
+    return s.objects[s.shape.single].formula->text();
   return text_of(s.shape, s.objects);
 }
 
-expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels, method by) {
-  if (const support::status may = check_domain(s.domain); !may)
-    return unexpected{may.reason()};
-  if (!s.built_in.empty())
-    return prepare_built_in(s, octree_level, levels, by);
-  auto text = compile(s);
-  if (!text)
-    return unexpected{text.reason()};
-  if (const support::status may = check_surface(text->whole.surface(), s.domain); !may)
-    return unexpected{may.reason()};
-  auto work = make_lane_caster(text->whole.surface(), s.domain, octree_level, levels, by);
-  if (!work)
-    return unexpected{work.reason()};
-  return std::unique_ptr<caster>(
-      std::make_unique<formula_caster>(*std::move(text), s.shape, *std::move(work)));
+std::size_t object_at(const scene& s, const vec3& point) {
+  if (s.objects.size() == 1)
+    return 0;
+  std::vector<double> values;
+  for (const object& part : s.objects)
+    values.push_back(part.formula->surface()(point[0], point[1], point[2]));
+  return active_at(s.shape, values).object;
+}
+
+expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels,
+                                          method search) {
+  return with_surface(s, [&](const auto& source) {
+    return make_caster(source, s.domain, octree_level, levels, search);
+  });
 }
 
 support::status check_domain(const octree::box& domain) {

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <graze/octree_formula.hpp>
 #include <nlohmann/json.hpp>
 
 namespace graze::render {
@@ -23,7 +22,7 @@ struct refusal {
 /// A value and where it is: "lights[1].intensity".
 class value {
 public:
-  value(const read_json& what, std::string path) : json_(&what), path_(std::move(path)) {}
+  value(const read_json& node, std::string path) : json_(&node), path_(std::move(path)) {}
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw refusal{path_.empty() ? why : fmt::format("key {}: {}", path_, why)};
@@ -101,11 +100,11 @@ material material_from(const value& v, material m) {
   return m;
 }
 
-std::string formula_from(const value& v) {
-  std::string text = v.text();
-  if (const auto parsed = octree::formula::parse(text); !parsed)
+octree::formula formula_from(const value& v) {
+  auto parsed = octree::formula::parse(v.text());
+  if (!parsed)
     v.refuse(parsed.reason());
-  return text;
+  return *std::move(parsed);
 }
 
 solid solid_from(const value& v, const std::vector<object>& objects, int nested) {
@@ -119,16 +118,16 @@ solid solid_from(const value& v, const std::vector<object>& objects, int nested)
     v.refuse(fmt::format("there is no object '{}'", name));
   }
   solid s;
-  const std::string how = v.only_key();
-  if (how == "union")
-    s.how = solid::kind::unite;
-  else if (how == "intersection")
-    s.how = solid::kind::intersect;
-  else if (how == "difference")
-    s.how = solid::kind::subtract;
+  const std::string operation = v.only_key();
+  if (operation == "union")
+    s.form = solid::kind::unite;
+  else if (operation == "intersection")
+    s.form = solid::kind::intersect;
+  else if (operation == "difference")
+    s.form = solid::kind::subtract;
   else
-    v.refuse(fmt::format("'{}' is none of union, intersection, difference", how));
-  const value parts = v.at(how.c_str());
+    v.refuse(fmt::format("'{}' is none of union, intersection, difference", operation));
+  const value parts = v.at(operation.c_str());
   for (const value& part : parts.elements(most_objects))
     s.parts.push_back(solid_from(part, objects, nested + 1));
   if (s.parts.size() < 2)
@@ -219,7 +218,7 @@ scene scene_of(const value& v) {
   if (v.has("solid")) {
     s.shape = solid_from(v.at("solid"), s.objects, 0);
   } else if (s.objects.size() > 1) {
-    s.shape.how = solid::kind::unite;
+    s.shape.form = solid::kind::unite;
     for (std::size_t i = 0; i < s.objects.size(); ++i)
       s.shape.parts.push_back({solid::kind::single, i, {}});
   }
@@ -246,15 +245,15 @@ scene scene_of(const value& v) {
 }
 
 json json_of(const solid& s, const std::vector<object>& objects) {
-  if (s.how == solid::kind::single)
+  if (s.form == solid::kind::single)
     return objects[s.single].name;
   json parts = json::array();
   for (const solid& part : s.parts)
     parts.push_back(json_of(part, objects));
-  const char* const how = s.how == solid::kind::unite       ? "union"
-                          : s.how == solid::kind::intersect ? "intersection"
-                                                            : "difference";
-  return {{how, parts}};
+  const char* const operation = s.form == solid::kind::unite       ? "union"
+                                : s.form == solid::kind::intersect ? "intersection"
+                                                                   : "difference";
+  return {{operation, parts}};
 }
 
 json json_of(const material& m) {
@@ -292,9 +291,9 @@ std::string text_of(const scene& s) {
   } else {
     j["objects"] = json::array();
     for (const object& o : s.objects) {
-      json one = {{"name", o.name}, {"formula", o.formula}};
-      one.update(json_of(o.look));
-      j["objects"].push_back(std::move(one));
+      json part = {{"name", o.name}, {"formula", o.formula->text()}};
+      part.update(json_of(o.look));
+      j["objects"].push_back(std::move(part));
     }
     j["solid"] = json_of(s.shape, s.objects);
   }

@@ -9,9 +9,9 @@ namespace {
 
 using octree::verdict;
 
-void add(colour& to, double weight, const colour& what) {
+void add(colour& sum, double weight, const colour& part) {
   for (std::size_t c = 0; c < 3; ++c)
-    to[c] += weight * what[c];
+    sum[c] += weight * part[c];
 }
 
 vec3 difference(const vec3& a, const vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -48,15 +48,15 @@ void shader::look(std::span<const octree::ray> rays, std::span<const octree::sur
   weights_.assign(rays.size(), 1.0);
   sort(rays, hits, pixels_, weights_, colours);
   for (int reflections = 0; !seen_.empty(); ++reflections) {
-    if (how_ == mode::trace) {
+    if (mode_ == mode::trace) {
       find_departures(counts);
       find_shadows(counts);
     }
-    reflect(colours, how_ == mode::cast || reflections == most_reflections, counts);
+    reflect(colours, mode_ == mode::cast || reflections == most_reflections, counts);
     if (rays_.empty())
       return;
     hits_.resize(rays_.size());
-    work_.first_hits(rays_, hits_, &counts.visited);
+    surface_.first_hits(rays_, hits_, &counts.visited);
     counts.reflected_rays += rays_.size();
     counts.secondary_undecided += static_cast<std::uint64_t>(
         std::count_if(hits_.begin(), hits_.end(), [](const octree::surface_hit& h) {
@@ -82,8 +82,8 @@ void shader::sort(std::span<const octree::ray> rays, std::span<const octree::sur
     case verdict::hit: {
       const vec3 point = point_at(rays[i], middle(hits[i]));
       seen_.push_back({pixels[i], weights[i], rays[i], hits[i], point,
-                       facing_normal(work_.whole().gradient(point), rays[i].direction()),
-                       work_.whole().object_at(point), departure{}, 0});
+                       facing_normal(surface_.whole().gradient(point), rays[i].direction()),
+                       object_at(scene_, point), departure{}, 0});
     }
     }
   }
@@ -97,7 +97,7 @@ void shader::find_departures(tally& counts) {
     hits_.push_back(s.hit);
   }
   departures_.resize(seen_.size());
-  work_.whole().depart(rays_, hits_, departures_);
+  surface_.whole().depart(rays_, hits_, departures_);
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     seen_[i].from = departures_[i];
     if (departures_[i].proven)
@@ -125,7 +125,7 @@ void shader::find_shadows(tally& counts) {
       pixels_.push_back(i);
     }
     hits_.resize(rays_.size());
-    work_.first_hits(rays_, hits_, &counts.visited);
+    surface_.first_hits(rays_, hits_, &counts.visited);
     counts.shadow_rays += rays_.size();
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       const octree::surface_hit& h = hits_[k];

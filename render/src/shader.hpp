@@ -28,8 +28,8 @@ private:
 /// What becomes of a ray depends on nothing but the ray. One a thread: it keeps its buffers.
 class shader {
 public:
-  shader(const scene& s, interruptible_caster& work, mode how)
-      : scene_(s), work_(work), how_(how) {}
+  shader(const scene& s, interruptible_caster& surface, mode m)
+      : scene_(s), surface_(surface), mode_(m) {}
 
   /// The colours of what the rays see, given their first hits. As many of each.
   void look(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
@@ -56,8 +56,8 @@ private:
   void reflect(std::span<colour> colours, bool last, tally& counts);
 
   const scene& scene_;
-  interruptible_caster& work_;
-  mode how_;
+  interruptible_caster& surface_;
+  mode mode_;
   std::vector<seen> seen_;
   // Of the batch that is followed.
   std::vector<octree::ray> rays_;

@@ -1,9 +1,11 @@
 // graze-voxelize: a scene's surface as an octree in a file, and what such a file holds.
+#include "scene_options.hpp"
+#include "scene_surface.hpp"
+
 #include <chrono>
-#include <graze/octree/lane_kernels.hpp>
 #include <graze/octree/parallel_voxelizer.hpp>
 #include <graze/octree_file.hpp>
-#include <graze/render/scene.hpp>
+#include <graze/octree_formula/lane_kernels.hpp>
 #include <graze/support/files.hpp>
 #include <graze/support/program.hpp>
 #include <graze/support/progress.hpp>
@@ -20,7 +22,8 @@ constexpr int not_written = 1; ///< the octree, as --help says
 constexpr int deepest = 14;
 
 struct request {
-  std::string scene_name, output, info;
+  scene_options scene;
+  std::string output, info;
   int level = 9;
   int threads = 0;
   bool json = false, progress = false;
@@ -31,49 +34,36 @@ int end_with(int code, const std::string& why) {
   return code;
 }
 
-template <class F>
-expected<octree::sparse_octree> voxelize_scene(const octree::box& domain, int level,
-                                               const octree::parallel_options& options) {
-  const auto root = octree::enclosing_root(domain, level);
-  if (!root)
-    return unexpected{root.reason()};
-  const F surface;
-  return octree::voxelize_parallel(octree::lane_judge<F>(surface, domain), *root, options);
+/// The octree, or why it could not be made; or why there is no surface of which to make one.
+expected<expected<octree::sparse_octree>> voxelize_scene(const scene& s, int level,
+                                                         const octree::parallel_options& options) {
+  return with_surface(s, [&](const auto& source) -> expected<expected<octree::sparse_octree>> {
+    const auto root = octree::enclosing_root(s.domain, level);
+    if (!root)
+      return unexpected{root.reason()};
+    const auto surface = source.surface();
+    return octree::voxelize_parallel(octree::lane_judge(surface, s.domain), *root, options);
+  });
 }
 
-struct voxelizer {
-  const char* scene;
-  expected<octree::sparse_octree> (*run)(const octree::box&, int, const octree::parallel_options&);
-};
-constexpr voxelizer voxelizers[] = {{"spheres", voxelize_scene<octree::spheres>},
-                                    {"quartdef", voxelize_scene<octree::quartdef>},
-                                    {"tanglecube", voxelize_scene<octree::tanglecube>},
-                                    {"holesrot", voxelize_scene<octree::holesrot>}};
-
-std::string voxelizer_names() {
-  std::string names;
-  for (const voxelizer& v : voxelizers)
-    names += (names.empty() ? "" : ", ") + std::string(v.scene);
-  return names;
-}
-const voxelizer* find_voxelizer(const std::string& name) {
-  for (const voxelizer& v : voxelizers)
-    if (v.scene == name && find_scene(name) != nullptr)
-      return &v;
-  return nullptr;
+/// What the file says of itself; cut to what it holds.
+std::string description_of(const scene& s) {
+  std::string text = s.name + ": " + formula_text(s);
+  if (text.size() > octree::longest_description)
+    text.replace(octree::longest_description - 3, std::string::npos, "...");
+  return text;
 }
 
 /// Whether this can be done. Asked before any work.
 status check(const request& r) {
   if (!r.info.empty())
     return {};
-  if (r.scene_name.empty())
-    return unexpected{"--scene and --out, or --info, are needed (--help shows the options)"};
+  if (r.scene.count() != 1)
+    return unexpected{"one of --scene, --formula, --info is needed (--help shows the options)"};
   if (r.output.empty())
     return unexpected{"--out is needed (--help shows the options)"};
-  if (find_voxelizer(r.scene_name) == nullptr)
-    return unexpected{
-        fmt::format("unknown scene '{}'; there are {}", r.scene_name, voxelizer_names())};
+  if (const status may = r.scene.check(); !may)
+    return may;
   if (r.level < 1 || r.level > deepest)
     return unexpected{fmt::format("--level must be 1 to {}, not {}", deepest, r.level)};
   if (r.threads < 0 || r.threads > static_cast<int>(most_threads))
@@ -86,16 +76,17 @@ void print_octree(const request& r, const octree::sparse_octree& t, const std::s
   const auto certified = static_cast<std::size_t>(
       std::count(t.leaves().begin(), t.leaves().end(), octree::content::certified));
   if (r.json) {
-    nlohmann::ordered_json line = {{"file", file},
-                                   {"description", description},
-                                   {"level", t.level()},
-                                   {"root", {t.box().lo[0], t.box().lo[1], t.box().lo[2]}},
-                                   {"root_size", t.box().size},
-                                   {"nodes", t.node_count()},
-                                   {"leaves", t.leaf_count()},
-                                   {"certified", certified},
-                                   {"bytes", t.bytes()},
-                                   {"seconds", seconds}};
+    nlohmann::ordered_json line = {
+        {"file", file},
+        {"description", description},
+        {"level", t.level()},
+        {"root", {t.root_octant().lo[0], t.root_octant().lo[1], t.root_octant().lo[2]}},
+        {"root_size", t.root_octant().size},
+        {"nodes", t.node_count()},
+        {"leaves", t.leaf_count()},
+        {"certified", certified},
+        {"bytes", t.bytes()},
+        {"seconds", seconds}};
     print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
     return;
   }
@@ -119,7 +110,9 @@ int show_file(const request& r) {
 }
 
 int voxelize_to_file(const request& r) {
-  const scene& s = *find_scene(r.scene_name);
+  const auto s = r.scene.read();
+  if (!s)
+    return bad_input(s.reason());
   const auto start = std::chrono::steady_clock::now();
   octree::parallel_options options{r.threads, &stop_wanted, {}};
   progress_line line("parts", r.progress);
@@ -127,15 +120,18 @@ int voxelize_to_file(const request& r) {
     options.progress = [&](std::size_t parts_done, std::size_t parts) {
       line.show({parts_done, parts, seconds_since(start)});
     };
-  const auto tree = find_voxelizer(r.scene_name)->run(s.domain, r.level, options);
+  const auto made = voxelize_scene(*s, r.level, options);
   line.clear();
+  if (!made)
+    return bad_input(made.reason());
+  const auto& tree = *made;
   const double seconds = seconds_since(start);
   if (stop_wanted)
     return end_with(ended_by_signal, "interrupted; nothing written");
   end_is_orderly();
   if (!tree)
     return end_with(not_written, tree.reason());
-  const std::string description = fmt::format("{}: {}", s.name, formula_of(s));
+  const std::string description = description_of(*s);
   const auto bytes = octree::encode_octree(*tree, description);
   if (!bytes)
     return end_with(not_written, bytes.reason());
@@ -150,7 +146,7 @@ int start(int argc, char** argv) {
   CLI::App app("Voxelizes the surface of a scene: every octant of a level that the surface meets,\n"
                "proven by interval arithmetic, in a file with a checksum.",
                "graze-voxelize");
-  const auto scene = app.add_option("--scene", r.scene_name, "One of " + voxelizer_names());
+  std::vector<CLI::Option*> others = r.scene.declare(app);
   const auto level =
       app.add_option("--level", r.level, fmt::format("Levels of the octree, 1 to {}", deepest))
           ->capture_default_str();
@@ -164,13 +160,16 @@ int start(int argc, char** argv) {
   const auto progress =
       app.add_flag("--progress", r.progress, "Report progress even if stderr is not a terminal");
   app.add_flag("--json", r.json, "The last line as a JSON object");
-  for (CLI::Option* other : {scene, level, out, threads, progress})
+  others.insert(others.end(), {level, out, threads, progress});
+  for (CLI::Option* other : others)
     info->excludes(other);
   app.footer("Exit codes: 0 done, 1 the octree could not be made or written, 2 bad input (also a\n"
              "file that is no octree) or another failure, 130 interrupted, nothing written.\n\n"
              "Examples:\n"
              "  graze-voxelize --scene tanglecube --out tanglecube.octree\n"
              "  graze-voxelize --scene spheres --level 11 --threads 2 --json -o spheres.octree\n"
+             "  graze-voxelize --formula \"x^4 + y^4 + z^4 - 1\" --domain=-1.5,1.5 -o cube.octree\n"
+             "  graze-voxelize --scene cone_tip.json --level 8 -o cone_tip.octree\n"
              "  graze-voxelize --info spheres.octree");
   if (const auto code = parse_arguments(app, argc, argv))
     return *code;

@@ -288,6 +288,8 @@ class Matrix:
             "render --scene FILE": (".json", lambda f: [p["graze-render"], "--scene", f, "-o", picture()]),
             "render --again FILE": (".exr", lambda f: [p["graze-render"], "--again", f, "-o", picture()]),
             "voxelize --info FILE": ("", lambda f: [p["graze-voxelize"], "--info", f]),
+            "voxelize --scene FILE": (".json", lambda f: [p["graze-voxelize"], "--scene", f, "-o",
+                                                         str(self.scratch() / "out.octree")]),
             "itf1788 FILE": (".itl", lambda f: [p["graze-itf1788"], f]),
         }
         for name, (ending, argv) in readers.items():
@@ -528,6 +530,8 @@ class Matrix:
             "render --domain without --formula": ["graze-render", "--scene", "spheres", "--domain=-1,1", "-o", "x.png"],
             "render --again with --size": ["graze-render", "--again", "a.exr", "--size", "8", "-o", "x.png"],
             "voxelize --info with --scene": ["graze-voxelize", "--info", "a.octree", "--scene", "spheres"],
+            "voxelize --domain without --formula": ["graze-voxelize", "--scene", "spheres", "--domain=-1,1", "-o", "x"],
+            "voxelize --info with --formula": ["graze-voxelize", "--info", "a.octree", "--formula", "x"],
             "voxelize --info with --out": ["graze-voxelize", "--info", "a.octree", "--out", "x"],
             "itf1788: nested lists": None,
             "itf1788 without arguments": ["graze-itf1788"],

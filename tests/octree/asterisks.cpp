@@ -120,7 +120,7 @@ template <class Octree> bool all_kept(const Octree& tree, const std::array<real,
   const double cells = std::ldexp(1.0, tree.level());
   unsigned first[3], last[3];
   for (std::size_t a = 0; a < 3; ++a) {
-    const real at = (p[a] - real(tree.box().lo[a])) / real(tree.box().size) * cells;
+    const real at = (p[a] - real(tree.root_octant().lo[a])) / real(tree.root_octant().size) * cells;
     const real whole = floor(at);
     const int index = whole.template convert_to<int>();
     last[a] = static_cast<unsigned>(std::min(index, static_cast<int>(cells) - 1));
@@ -132,7 +132,7 @@ template <class Octree> bool all_kept(const Octree& tree, const std::array<real,
         auto n = tree.root();
         for (int bit = tree.level() - 1; bit >= 0; --bit) {
           const unsigned child = (x >> bit & 1u) | (y >> bit & 1u) << 1 | (z >> bit & 1u) << 2;
-          if (tree.child_mask(n, tree.box(), static_cast<std::uint8_t>(1u << child)) == 0)
+          if (tree.child_mask(n, tree.root_octant(), static_cast<std::uint8_t>(1u << child)) == 0)
             return false;
           n = tree.child(n, child);
         }
@@ -183,11 +183,11 @@ template <int M, int N> void lanes_agree() {
     if (batch::refusal(p))
       continue;
     INFO(batch::name(p));
-    const auto lanes = voxelize_in_lanes(f, unit, 6, p);
-    REQUIRE(lanes);
-    const auto a = scalar->leaves(), b = lanes->leaves();
+    const auto lane_octree = voxelize_in_lanes(f, unit, 6, p);
+    REQUIRE(lane_octree);
+    const auto a = scalar->leaves(), b = lane_octree->leaves();
     CHECK(std::equal(a.begin(), a.end(), b.begin(), b.end()));
-    const auto by_lanes = lane_traversal<asterisk<M, N>>::make(f, unit, *lanes, 30, p);
+    const auto by_lanes = lane_traversal<asterisk<M, N>>::make(f, unit, *lane_octree, 30, p);
     REQUIRE(by_lanes);
     int unequal = 0, hits = 0, undecided = 0;
     for (int j = 5; j < 512; j += 23)

@@ -65,7 +65,7 @@ TEST_CASE("octree.cube: a path of children gives the octant of the index, exactl
   std::uint64_t bits = 0x9e3779b97f4a7c15u;
   for (int path = 0; path < 100; ++path) {
     std::array<std::uint64_t, 3> index{};
-    cube cell = root->box();
+    cube cell = root->root_octant();
     REQUIRE(cell == root->octant(index, 0));
     for (int level = 1; level <= deepest; ++level) {
       bits ^= bits << 13, bits ^= bits >> 7, bits ^= bits << 17;

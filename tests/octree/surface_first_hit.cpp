@@ -107,22 +107,17 @@ TEST_CASE("octree.surface_traversal: the depth encloses the exact first root, aw
 }
 
 TEST_CASE("octree.surface_traversal: rays from inside the domain", "[property][exact]") {
-  // not for the spheres, whose polynomials have more zeros than the least of them has, seen from
-  // inside
-  const auto check = [](const auto& scene) {
+  scenes::for_each_from_inside([](const auto& scene) {
     const tally t = examine(scene, 30, scenes::awkward(scene, true), 1e300);
     INFO("reach " << scene.reach << ": " << t.first_wrong);
     CHECK(t.wrong == 0);
     CHECK(t.hits > 100);
     CHECK(t.undecided < t.rays / 20);
-  };
-  check(scenes::quartdef);
-  check(scenes::tanglecube);
-  check(scenes::holesrot);
+  });
 }
 
 TEST_CASE("octree.surface_traversal: a tangent ray is never a miss", "[hardcase][exact]") {
-  const auto& scene = scenes::spheres;
+  const auto& scene = scenes::scene_of<spheres>;
   for (const int level : {9, 30, 50}) {
     const auto octree = voxelize(scene.surface, scene.domain(), 7);
     const auto traversal =
@@ -140,7 +135,7 @@ TEST_CASE("octree.surface_traversal: a tangent ray is never a miss", "[hardcase]
 
 TEST_CASE("octree.surface_traversal: the caller's control words are restored, flushing is not used",
           "[unit]") {
-  const auto& scene = scenes::tanglecube;
+  const auto& scene = scenes::scene_of<tanglecube>;
   const auto octree = voxelize(scene.surface, scene.domain(), 5);
   const auto traversal =
       surface_traversal<tanglecube>::make(scene.surface, scene.domain(), *octree, 30);
@@ -157,7 +152,7 @@ TEST_CASE("octree.surface_traversal: the caller's control words are restored, fl
 
 TEMPLATE_TEST_CASE("octree.surface_traversal: runs with the baselines too", "[unit]", published,
                    plain, gargantini) {
-  const auto& scene = scenes::tanglecube;
+  const auto& scene = scenes::scene_of<tanglecube>;
   const auto octree = voxelize(scene.surface, scene.domain(), 7);
   const auto ours = surface_traversal<tanglecube>::make(scene.surface, scene.domain(), *octree, 20);
   const auto theirs = surface_traversal<tanglecube, TestType, rounding::nearest>::make(
@@ -171,7 +166,7 @@ TEMPLATE_TEST_CASE("octree.surface_traversal: runs with the baselines too", "[un
 }
 
 TEST_CASE("octree.surface_traversal: refuses what it cannot do", "[unit]") {
-  const auto& scene = scenes::holesrot;
+  const auto& scene = scenes::scene_of<holesrot>;
   const auto octree = voxelize(scene.surface, scene.domain(), 4);
   REQUIRE(octree);
   using traversal = surface_traversal<holesrot>;

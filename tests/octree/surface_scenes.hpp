@@ -1,8 +1,9 @@
 #pragma once
-/// The four polynomial scenes of docs/definitions.md: formula, camera scale and domain.
+/// The scenes of docs/definitions.md whose surfaces are algebraic.
 #include <graze/octree/box.hpp>
 #include <graze/octree/ray.hpp>
 #include <graze/octree/surfaces.hpp>
+#include <type_traits>
 
 namespace scenes {
 template <class F> struct scene {
@@ -19,16 +20,23 @@ template <class F> struct scene {
                                       -6 + u * -1.7890625 + v * -1.0224609375});
   }
 };
-inline constexpr scene<graze::octree::spheres> spheres{{}, 1.5, 2.5};
-inline constexpr scene<graze::octree::quartdef> quartdef{{}, 1.125, 1.5};
-inline constexpr scene<graze::octree::tanglecube> tanglecube{{}, 2, 2.5};
-inline constexpr scene<graze::octree::holesrot> holesrot{{}, 2, 2};
+template <class F>
+inline constexpr scene<F> scene_of{
+    {}, graze::octree::built_in<F>.scale, graze::octree::built_in<F>.reach};
 
-/// Calls check(scene) for each of the four.
+/// Calls check(scene) for each surface that is built in and has exact roots along lines.
 template <class Check> void for_each(Check check) {
-  check(spheres);
-  check(quartdef);
-  check(tanglecube);
-  check(holesrot);
+  graze::octree::for_each_built_in([&]<class F>(const graze::octree::built_in_surface<F>&) {
+    if constexpr (graze::octree::is_algebraic<F>())
+      check(scene_of<F>);
+  });
+}
+/// The same but for the spheres, whose polynomials have more zeros than the least of them, seen from
+/// inside.
+template <class Check> void for_each_from_inside(Check check) {
+  for_each([&](const auto& scene) {
+    if constexpr (!std::is_same_v<decltype(scene.surface), graze::octree::spheres>)
+      check(scene);
+  });
 }
 } // namespace scenes

@@ -18,7 +18,7 @@ std::optional<sparse_octree::node> leaf_at(const sparse_octree& tree,
   for (int bit = tree.level() - 1; bit >= 0; --bit) {
     const unsigned child =
         (index[0] >> bit & 1u) | (index[1] >> bit & 1u) << 1 | (index[2] >> bit & 1u) << 2;
-    if (tree.child_mask(n, tree.box(), static_cast<std::uint8_t>(1u << child)) == 0)
+    if (tree.child_mask(n, tree.root_octant(), static_cast<std::uint8_t>(1u << child)) == 0)
       return std::nullopt;
     n = tree.child(n, child);
   }
@@ -29,13 +29,14 @@ std::array<unsigned, 3> owner(const sparse_octree& tree, const vec3& p) {
   std::array<unsigned, 3> index;
   const double cells = std::ldexp(1.0, tree.level());
   for (int a = 0; a < 3; ++a)
-    index[a] = static_cast<unsigned>(
-        std::min(cells - 1, std::floor((p[a] - tree.box().lo[a]) / tree.box().size * cells)));
+    index[a] =
+        static_cast<unsigned>(std::min(cells - 1, std::floor((p[a] - tree.root_octant().lo[a]) /
+                                                             tree.root_octant().size * cells)));
   return index;
 }
 
 cube octant(const sparse_octree& tree, const std::array<unsigned, 3>& index) {
-  return root_cube::make(tree.box(), tree.level())
+  return root_cube::make(tree.root_octant(), tree.level())
       ->octant({index[0], index[1], index[2]}, tree.level());
 }
 
@@ -160,16 +161,17 @@ TEST_CASE("octree.voxelizer: leaves are few, within the domain, and mostly certi
     const auto tree = voxelize(scene.surface, scene.domain(), 7);
     REQUIRE(tree);
     std::size_t leaves = 0, certified = 0, outside = 0, checked = 0, false_certificates = 0;
-    each_leaf(*tree, tree->root(), tree->box(), 0, [&](const cube& cell, sparse_octree::node n) {
-      const box b = intersection(closed_box(cell), scene.domain());
-      ++leaves;
-      outside += b.empty();
-      certified += tree->leaf(n) == content::certified;
-      if (leaves % 37 != 0 || tree->leaf(n) != content::certified)
-        return;
-      ++checked;
-      false_certificates += !opposite_corner_signs(scene.surface, b);
-    });
+    each_leaf(*tree, tree->root(), tree->root_octant(), 0,
+              [&](const cube& cell, sparse_octree::node n) {
+                const box b = intersection(closed_box(cell), scene.domain());
+                ++leaves;
+                outside += b.empty();
+                certified += tree->leaf(n) == content::certified;
+                if (leaves % 37 != 0 || tree->leaf(n) != content::certified)
+                  return;
+                ++checked;
+                false_certificates += !opposite_corner_signs(scene.surface, b);
+              });
     INFO("reach " << scene.reach);
     CHECK(leaves == tree->leaf_count());
     CHECK(outside == 0);

@@ -10,19 +10,28 @@ using namespace graze::render;
 namespace {
 
 std::optional<oracle::root> first(const scene& s, const octree::ray& r) {
-  if (s.name == "spheres")
-    return ::support::first_root(octree::spheres{}, r, s.domain);
-  if (s.name == "quartdef")
-    return ::support::first_root(octree::quartdef{}, r, s.domain);
-  if (s.name == "tanglecube")
-    return ::support::first_root(octree::tanglecube{}, r, s.domain);
-  return ::support::first_root(octree::holesrot{}, r, s.domain);
+  std::optional<oracle::root> root;
+  octree::for_each_built_in([&]<class F>(const octree::built_in_surface<F>& row) {
+    if constexpr (octree::is_algebraic<F>())
+      if (row.name == s.built_in)
+        root = ::support::first_root(row.surface(), r, s.domain);
+  });
+  return root;
+}
+
+std::vector<std::string> algebraic_names() {
+  std::vector<std::string> names;
+  octree::for_each_built_in([&names]<class F>(const octree::built_in_surface<F>& row) {
+    if constexpr (octree::is_algebraic<F>())
+      names.emplace_back(row.name);
+  });
+  return names;
 }
 
 } // namespace
 
 TEST_CASE("render.pictures: verdicts and depth enclosures hold the exact first root", "[mpfr]") {
-  const char* const name = GENERATE("spheres", "quartdef", "tanglecube", "holesrot");
+  const std::string name = GENERATE(from_range(algebraic_names()));
   const scene& s = *find_scene(name);
   const camera view = s.view;
   const auto coarse = prepare(s, 9, 30);
@@ -37,16 +46,16 @@ TEST_CASE("render.pictures: verdicts and depth enclosures hold the exact first r
       const octree::ray r = view.ray_through(column, row, 512);
       const auto root = first(s, r);
       ++(root ? hits : misses);
-      for (const auto* work : {&*coarse, &*fine, &*certified}) {
+      for (const auto* surface : {&*coarse, &*fine, &*certified}) {
         octree::surface_hit h{};
-        (*work)->first_hits({&r, 1}, {&h, 1}, nullptr);
+        (*surface)->first_hits({&r, 1}, {&h, 1}, nullptr);
         INFO(name << " column " << column << " row " << row);
         REQUIRE(h.outcome == (root ? octree::verdict::hit : octree::verdict::miss));
         if (!root)
           continue;
         REQUIRE(mpq_class(h.t_near) <= root->hi);
         REQUIRE(root->lo <= mpq_class(h.t_far));
-        REQUIRE(h.t_far - h.t_near < (work == &*coarse ? 0x1p-25 : 0x1p-42));
+        REQUIRE(h.t_far - h.t_near < (surface == &*coarse ? 0x1p-25 : 0x1p-42));
       }
     }
   INFO(name << ": " << hits << " hits, " << misses << " misses");
@@ -60,10 +69,10 @@ TEST_CASE("render.pictures: 512x512 has the exact number of hits at 30 and at 50
   // The exact counts of quartdef and tanglecube come with the design; a hole would be one less.
   const auto expect = [](const char* name, std::uint64_t hits) {
     const scene& s = *find_scene(name);
-    for (const auto& work :
+    for (const auto& surface :
          {prepare(s, 9, 30), prepare(s, 9, 50), prepare(s, 9, 30, method::certified)}) {
-      REQUIRE(work);
-      const rendering picture = render_picture(s, **work, {512, 2});
+      REQUIRE(surface);
+      const rendering picture = render_picture(s, **surface, {512, 2});
       CHECK(picture.counts.hits == hits);
       CHECK(picture.counts.undecided == 0);
       CHECK(picture.counts.rays() == 262144);
@@ -78,8 +87,9 @@ TEST_CASE("render.pictures: both methods agree on every pixel of the asterisks",
   const auto descent = prepare(s, 7, 30), certified = prepare(s, 7, 30, method::certified);
   REQUIRE(descent);
   REQUIRE(certified);
-  const settings how = {{256, 256}, 2};
-  const rendering a = render_picture(s, **descent, how), b = render_picture(s, **certified, how);
+  const settings chosen = {{256, 256}, 2};
+  const rendering a = render_picture(s, **descent, chosen),
+                  b = render_picture(s, **certified, chosen);
   CHECK(a.counts.hits > 20000);
   CHECK(a.counts.undecided == 0);
   CHECK(b.counts.undecided == 0);
@@ -94,13 +104,13 @@ TEST_CASE("render.pictures: both methods agree on every pixel of the asterisks",
 
 TEST_CASE("render.pictures: the same picture for one thread, two, and seven", "[unit]") {
   const scene& s = *find_scene("holesrot");
-  const auto by = GENERATE(method::descent, method::certified);
-  const auto work = prepare(s, 7, 30, by);
-  REQUIRE(work);
+  const auto search = GENERATE(method::descent, method::certified);
+  const auto surface = prepare(s, 7, 30, search);
+  REQUIRE(surface);
   const auto bytes = [&](unsigned threads) {
-    return *encode(to_picture(render_picture(s, **work, {100, threads})), file_format::exr);
+    return *encode(to_picture(render_picture(s, **surface, {100, threads})), file_format::exr);
   };
-  const auto one = bytes(1);
-  CHECK(bytes(2) == one);
-  CHECK(bytes(7) == one);
+  const auto single = bytes(1);
+  CHECK(bytes(2) == single);
+  CHECK(bytes(7) == single);
 }

@@ -23,11 +23,11 @@ scene hard(const std::string& name) {
 }
 
 /// 65x65: the ray of the middle pixel goes through the camera's aim exactly.
-tally counts(const scene& s, int levels, method by = method::descent) {
-  const auto work = prepare(s, 5, levels, by);
-  INFO(s.name << ": " << work.reason());
-  REQUIRE(work);
-  return render_picture(s, **work, {65, 2}).counts;
+tally counts(const scene& s, int levels, method search = method::descent) {
+  const auto surface = prepare(s, 5, levels, search);
+  INFO(s.name << ": " << surface.reason());
+  REQUIRE(surface);
+  return render_picture(s, **surface, {65, 2}).counts;
 }
 
 tally certified_counts(const scene& s) { return counts(s, 30, method::certified); }
@@ -119,11 +119,11 @@ TEST_CASE("render.hard: a sphere of radius 1 at a distance of 7,000,000", "[mpfr
 
 TEST_CASE("render.hard: shadow rays along a cone's rulings come to an end", "[unit]") {
   const scene s = hard("cone_tip");
-  const auto by = GENERATE(method::descent, method::certified);
-  const auto work = prepare(s, 5, 50, by);
-  REQUIRE(work);
-  settings how = {40, 2, mode::trace};
-  const tally c = render_picture(s, **work, how).counts;
+  const auto search = GENERATE(method::descent, method::certified);
+  const auto surface = prepare(s, 5, 50, search);
+  REQUIRE(surface);
+  settings chosen = {40, 2, mode::trace};
+  const tally c = render_picture(s, **surface, chosen).counts;
   CHECK(c.pixels == 1600);
   CHECK(c.shadow_rays > 500);
 }

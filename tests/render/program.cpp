@@ -1,6 +1,10 @@
-// graze-render as its users meet it: output, exit codes, bad input.
+// graze-render and graze-voxelize as their users meet them: output, exit codes, bad input.
 #include "../support/program.hpp"
+#include <graze/octree/surfaces.hpp>
+#include <graze/octree/voxelizer.hpp>
+#include <graze/octree_file.hpp>
 #include <graze/render/image.hpp>
+#include <graze/render/scene.hpp>
 #include <nlohmann/json.hpp>
 
 using support::call, support::scratch;
@@ -127,7 +131,7 @@ TEST_CASE("graze-render: scene files, and errors that name the key", "[unit]") {
 
 TEST_CASE("graze-render: --again gives the same bytes, crops and samples included", "[unit]") {
   const scratch dir;
-  const char* const what =
+  const char* const arguments =
       GENERATE("--scene tanglecube --mode trace --size 60x40 --crop 10,5,37,33 --spp 4 --levels 35 "
                "--octree-level 6",
                "--formula 'max(x^2 + y^2 + z^2 - 1, -abs(x) + 1/3)' --domain=-1.5,1.25 --size 40 "
@@ -135,7 +139,7 @@ TEST_CASE("graze-render: --again gives the same bytes, crops and samples include
                "--scene 'asterisk(3,4)' --mode trace --method certified --size 40");
   for (const char* extension : {".exr", ".png"}) {
     const std::string first = (dir / "a") + extension, second = (dir / "b") + extension;
-    REQUIRE(call(GRAZE_RENDER, what + (" --threads 1 -o " + first)).code == 0);
+    REQUIRE(call(GRAZE_RENDER, arguments + (" --threads 1 -o " + first)).code == 0);
     const auto o = call(GRAZE_RENDER, "--again " + first + " --threads 3 -o " + second);
     INFO(o.err);
     REQUIRE(o.code == 0);
@@ -171,8 +175,8 @@ TEST_CASE("graze-render: an interrupt leaves a valid picture or none, and says s
   if (!pictures.empty()) {
     const auto part = graze::render::read_picture(file);
     REQUIRE(part.has_value());
-    const std::pair<std::string, std::string> told = {"graze:complete", "no"};
-    CHECK(std::count(part->metadata.begin(), part->metadata.end(), told) == 1);
+    const std::pair<std::string, std::string> entry = {"graze:complete", "no"};
+    CHECK(std::count(part->metadata.begin(), part->metadata.end(), entry) == 1);
   }
 }
 
@@ -180,4 +184,60 @@ TEST_CASE("graze-render: help has examples", "[unit]") {
   const auto o = call(GRAZE_RENDER, "--help");
   CHECK(o.code == 0);
   CHECK(o.out.find("Examples") != std::string::npos);
+}
+
+TEST_CASE("graze-voxelize: every scene that graze-render takes", "[unit]") {
+  using namespace graze;
+  const scratch dir;
+  const std::string to = " --level 5 -o " + (dir / "a.octree"), file = dir / "s.json";
+  const auto octree_of = [&](const std::string& arguments) {
+    const auto o = call(GRAZE_VOXELIZE, arguments + to);
+    INFO(arguments << ": " << o.err);
+    REQUIRE(o.code == 0);
+    return *octree::load_octree(dir / "a.octree");
+  };
+  for (const render::scene& s : render::scenes())
+    CHECK(octree_of("--scene '" + s.name + "'").description == s.name + ": " + formula_text(s));
+  const auto typed = octree::formula::parse("x^2 + y^2 - z^2");
+  const octree::box domain{{-1, -1, -1}, {1, 1, 1}};
+  const auto wanted = *octree::voxelize(typed->surface(), domain, 5);
+  const auto formula = octree_of("--formula 'x^2 + y^2 - z^2' --domain=-1,1");
+  CHECK(formula.octree == wanted);
+  CHECK(formula.description == "formula: x^2 + y^2 - z^2");
+  CHECK(octree_of(std::string("--scene ") + GRAZE_SCENES "/cone_tip.json").octree == wanted);
+  std::ofstream(file) << R"({"surface": "holesrot", "domain": [0, 1]})";
+  CHECK(octree_of("--scene " + file).octree ==
+        *octree::voxelize(octree::holesrot{}, {{0, 0, 0}, {1, 1, 1}}, 5));
+  std::ofstream(file) << R"({"objects": [{"name": "a", "formula": "x"},
+      {"name": "b", "formula": "y"}], "solid": {"difference": ["a", "b"]}, "domain": [-1, 1]})";
+  CHECK(octree_of("--scene " + file).description == "scene: difference((x),(y))");
+  std::ofstream(file) << R"({"name": ")" << std::string(70000, 'n')
+                      << R"(", "formula": "x", "domain": [-1, 1]})";
+  CHECK(octree_of("--scene " + file).description.size() == octree::longest_description);
+}
+
+TEST_CASE("graze-voxelize: what is no scene is refused in graze-render's words", "[unit]") {
+  const scratch dir, scenes;
+  const std::string file = scenes / "s.json";
+  std::ofstream(file) << R"({"formula": "x +", "domain": [-1, 1]})";
+  for (const std::string scene :
+       {"--scene teapot", "--scene none.json", "--formula 'x^2 + (y'", "--formula 1/0",
+        "--formula x --domain=2,1", "--formula x --domain=0,q", "--scene spheres --domain=-1,1",
+        "--formula 'x^2 + y^2 + 1'", "--formula 'sqrt(-1 - x^2)'", "--scene FILE"}) {
+    std::string arguments = scene;
+    if (const auto at = arguments.find("FILE"); at != std::string::npos)
+      arguments.replace(at, 4, file);
+    const auto seen = call(GRAZE_RENDER, arguments + " -o " + (dir / "a.png"));
+    const auto found = call(GRAZE_VOXELIZE, arguments + " -o " + (dir / "a.octree"));
+    INFO(arguments << "\n" << seen.err << found.err);
+    CHECK(found.code == 2);
+    CHECK(found.err == "graze-voxelize" + seen.err.substr(std::string("graze-render").size()));
+    CHECK(std::count(found.err.begin(), found.err.end(), '\n') == 1);
+    CHECK(dir.empty());
+  }
+  support::refused(GRAZE_VOXELIZE, "--scene spheres --formula x -o " + (dir / "a"),
+                   "one of --scene, --formula, --info");
+  support::refused(GRAZE_VOXELIZE, "--info a --formula x", "--formula");
+  CHECK(dir.empty());
+  CHECK(call(GRAZE_VOXELIZE, "--help").out.find("--formula") != std::string::npos);
 }

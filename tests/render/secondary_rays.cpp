@@ -23,20 +23,20 @@ std::array<mpq_class, 3> exact_point(const octree::ray& r, const mpq_class& t) {
 }
 
 /// Every 8th hit of the scene, its departure, and the rays from there.
-template <class F> void check(const char* name, int levels, method by) {
+template <class F> void check(const char* name, int levels, method search) {
   const scene& s = *find_scene(name);
-  const auto work = prepare(s, 7, levels, by);
-  REQUIRE(work);
+  const auto surface = prepare(s, 7, levels, search);
+  REQUIRE(surface);
   int departures = 0, secondary = 0, undecided = 0;
   for (int row = 1; row < 512; row += 12)
     for (int column = 5; column < 512; column += 12) {
       const octree::ray r = s.view.ray_through(column, row, 512);
       octree::surface_hit h{};
-      (*work)->first_hits({&r, 1}, {&h, 1}, nullptr);
+      (*surface)->first_hits({&r, 1}, {&h, 1}, nullptr);
       if (h.outcome != octree::verdict::hit)
         continue;
       departure from{};
-      (*work)->depart({&r, 1}, {&h, 1}, {&from, 1});
+      (*surface)->depart({&r, 1}, {&h, 1}, {&from, 1});
       INFO(name << " column " << column << " row " << row);
       REQUIRE(from.proven);
       ++departures;
@@ -54,7 +54,7 @@ template <class F> void check(const char* name, int levels, method by) {
       REQUIRE(square <= mpq_class(from.shift) * from.shift * (1 + mpq_class(0x1p-60)));
 
       const vec3 point = {from.point};
-      const vec3 normal = facing_normal((*work)->gradient(point), r.direction());
+      const vec3 normal = facing_normal((*surface)->gradient(point), r.direction());
       const vec3& lamp = s.lights[0].position;
       std::vector<vec3> directions = {reflected(r.direction(), normal)};
       const vec3 to_light = {lamp[0] - point[0], lamp[1] - point[1], lamp[2] - point[2]};
@@ -63,7 +63,7 @@ template <class F> void check(const char* name, int levels, method by) {
       for (const vec3& d : directions) {
         const octree::ray next = *octree::ray::make(from.point, d);
         octree::surface_hit found{};
-        (*work)->first_hits({&next, 1}, {&found, 1}, nullptr);
+        (*surface)->first_hits({&next, 1}, {&found, 1}, nullptr);
         ++secondary;
         undecided += found.outcome == octree::verdict::undecided;
         if (found.outcome == octree::verdict::undecided)
@@ -101,11 +101,11 @@ struct nothing {
 
 TEST_CASE("render.secondary: rays begin on the seen side, as near as told, and are judged exactly",
           "[mpfr]") {
-  const auto by = GENERATE(method::descent, method::certified);
+  const auto search = GENERATE(method::descent, method::certified);
   for (const int levels : {30, 50}) {
-    check<octree::tanglecube>("tanglecube", levels, by);
-    check<octree::quartdef>("quartdef", levels, by);
-    if (by == method::certified)
+    check<octree::tanglecube>("tanglecube", levels, search);
+    check<octree::quartdef>("quartdef", levels, search);
+    if (search == method::certified)
       break; // it has no levels
   }
 }
@@ -115,14 +115,15 @@ TEST_CASE("render.secondary: no ray that leaves a ball outwards meets it, at any
   const auto tree = octree::voxelize(unit_ball{}, domain, 6);
   REQUIRE(tree);
   const int levels = GENERATE(20, 30, 50);
-  const auto work = octree::surface_traversal<unit_ball>::make(unit_ball{}, domain, *tree, levels);
-  REQUIRE(work);
+  const auto surface =
+      octree::surface_traversal<unit_ball>::make(unit_ball{}, domain, *tree, levels);
+  REQUIRE(surface);
   int left = 0;
   for (int i = 0; i < 400; ++i) {
     // ever nearer to grazing: 1 - x falls to 1e-9
     const double x = 1 - std::pow(0.95, i);
     const octree::ray r = *octree::ray::make({x, 0.01, 4}, {0, 0, -1});
-    const octree::surface_hit h = work->first_hit(r);
+    const octree::surface_hit h = surface->first_hit(r);
     if (h.outcome != octree::verdict::hit)
       continue;
     departure from{};
@@ -140,7 +141,7 @@ TEST_CASE("render.secondary: no ray that leaves a ball outwards meets it, at any
       for (std::size_t a = 0; a < 3; ++a)
         d[a] = steepness * n[a] + along[a];
       INFO("x " << x << " steepness " << steepness << " shift " << from.shift);
-      const octree::surface_hit again = work->first_hit(*octree::ray::make(from.point, d));
+      const octree::surface_hit again = surface->first_hit(*octree::ray::make(from.point, d));
       CHECK(again.outcome != octree::verdict::hit);
       if (steepness == 1.0)
         CHECK(again.outcome == octree::verdict::miss);
@@ -160,24 +161,25 @@ TEST_CASE("render.secondary: no departure is proven where f has no proven sign",
 TEST_CASE("render.trace: the same picture for one thread and for three; shadows are darker",
           "[unit]") {
   const scene& s = *find_scene("spheres");
-  const auto work = prepare(s, 6, 30);
-  REQUIRE(work);
-  settings how = {70, 1, mode::trace};
-  const rendering one = render_picture(s, **work, how);
-  how.threads = 3;
-  const rendering three = render_picture(s, **work, how);
-  CHECK(*encode(to_picture(one), file_format::exr) == *encode(to_picture(three), file_format::exr));
-  CHECK(one.counts.shadow_rays > 1000);
-  CHECK(one.counts.reflected_rays > 1000);
-  CHECK(one.counts.shadow_rays == three.counts.shadow_rays);
-  CHECK(one.counts.longest_shift > 0);
-  CHECK(one.counts.longest_shift == three.counts.longest_shift);
+  const auto surface = prepare(s, 6, 30);
+  REQUIRE(surface);
+  settings chosen = {70, 1, mode::trace};
+  const rendering single = render_picture(s, **surface, chosen);
+  chosen.threads = 3;
+  const rendering three = render_picture(s, **surface, chosen);
+  CHECK(*encode(to_picture(single), file_format::exr) ==
+        *encode(to_picture(three), file_format::exr));
+  CHECK(single.counts.shadow_rays > 1000);
+  CHECK(single.counts.reflected_rays > 1000);
+  CHECK(single.counts.shadow_rays == three.counts.shadow_rays);
+  CHECK(single.counts.longest_shift > 0);
+  CHECK(single.counts.longest_shift == three.counts.longest_shift);
 
   // without reflection, tracing can only take light away
   scene matt = s;
   matt.objects[0].look.reflection = 0;
-  const rendering traced = render_picture(matt, **work, {70, 2, mode::trace});
-  const rendering cast = render_picture(matt, **work, {70, 2});
+  const rendering traced = render_picture(matt, **surface, {70, 2, mode::trace});
+  const rendering cast = render_picture(matt, **surface, {70, 2});
   int darker = 0;
   for (std::size_t i = 0; i < cast.pixels.size(); ++i) {
     CHECK(traced.pixels[i].colour[0] <= cast.pixels[i].colour[0]);
@@ -190,20 +192,20 @@ TEST_CASE("render.trace: the same picture for one thread and for three; shadows 
 TEST_CASE("render.sampling: crops and samples are those of the whole and of the larger picture",
           "[unit]") {
   const scene& s = *find_scene("tanglecube");
-  const auto work = prepare(s, 6, 30);
-  REQUIRE(work);
-  settings how = {{48, 40}, 2, mode::trace};
-  const rendering whole = render_picture(s, **work, how);
-  how.crop = window{7, 5, {33, 21}};
-  const rendering part = render_picture(s, **work, how);
+  const auto surface = prepare(s, 6, 30);
+  REQUIRE(surface);
+  settings chosen = {{48, 40}, 2, mode::trace};
+  const rendering whole = render_picture(s, **surface, chosen);
+  chosen.crop = window{7, 5, {33, 21}};
+  const rendering part = render_picture(s, **surface, chosen);
   REQUIRE(part.pixels.size() == 33 * 21);
   for (std::size_t row = 0; row < 21; ++row)
     for (std::size_t column = 0; column < 33; ++column)
       REQUIRE(part.pixels[row * 33 + column].colour ==
               whole.pixels[(row + 5) * 48 + column + 7].colour);
 
-  const rendering large = render_picture(s, **work, {64, 2});
-  const rendering sampled = render_picture(s, **work, {32, 2, mode::cast, 2});
+  const rendering large = render_picture(s, **surface, {64, 2});
+  const rendering sampled = render_picture(s, **surface, {32, 2, mode::cast, 2});
   CHECK(sampled.counts.pixels == 1024);
   CHECK(sampled.counts.camera_rays == 5 * 1024);
   for (std::size_t row = 0; row < 32; ++row)

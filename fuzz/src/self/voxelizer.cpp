@@ -53,7 +53,7 @@ private:
 /// Is the leaf at `index` of the last level in the octree?
 template <class Tree> bool keeps(const Tree& tree, const index3& index) {
   auto n = tree.root();
-  cube cell = tree.box();
+  cube cell = tree.root_octant();
   for (int bit = tree.level() - 1; bit >= 0; --bit) {
     const auto child = static_cast<unsigned>((index[0] >> bit & 1) | (index[1] >> bit & 1) << 1 |
                                              (index[2] >> bit & 1) << 2);
@@ -134,14 +134,14 @@ struct line {
 /// Through `through`, but on some axes moved to octants' planes, or an ulp beside them, or to the
 /// domain's faces; in any direction, along axes, in faces and diagonals.
 line any_line(const place& at, const vec3& through, random_bits& random) {
-  const double size = std::ldexp(at.root.box().size, -at.root.level());
+  const double size = std::ldexp(at.root.root_octant().size, -at.root.level());
   line l{};
   const int snapped = below(random, 8);
   for (int a = 0; a < 3; ++a) {
     const double lo = at.domain.lo[a], hi = at.domain.hi[a];
     double x = through[a];
     if ((snapped >> a & 1) != 0) {
-      const double root_lo = at.root.box().lo[a];
+      const double root_lo = at.root.root_octant().lo[a];
       const double k = std::nearbyint((x - root_lo) / size);
       x = std::clamp(root_lo + k * size, lo, hi);
       if (below(random, 4) == 0)
@@ -215,8 +215,10 @@ struct exact_zero {
 /// Indices on one axis of the octants of the last level that hold the zero's point.
 std::vector<std::uint64_t> slabs_at(const exact_zero& zero, const line& l, int axis,
                                     const root_cube& root) {
-  const mpq_class size = mpq_class(root.box().size) / mpq_class(std::ldexp(1.0, root.level()));
-  const mpq_class origin(l.origin[axis]), direction(l.direction[axis]), lo(root.box().lo[axis]);
+  const mpq_class size =
+      mpq_class(root.root_octant().size) / mpq_class(std::ldexp(1.0, root.level()));
+  const mpq_class origin(l.origin[axis]), direction(l.direction[axis]),
+      lo(root.root_octant().lo[axis]);
   const mpq_class near = (origin + zero.at.lo * direction - lo) / size;
   mpz_class k;
   mpz_fdiv_q(k.get_mpz_t(), near.get_num_mpz_t(), near.get_den_mpz_t());
@@ -397,17 +399,23 @@ private:
 
 subject voxelizer_subject(const dropped_leaf& dropped) {
   subject s{"voxelizer", "Octants that hold a zero of a surface are kept, by exact zeros", {}};
-  std::uint64_t which = 0;
-  const auto add = [&]<class F>(const char* name, const F& f, double reach) {
-    const auto trials = std::make_shared<surface_trials<F>>(f, reach, which++, 4, dropped);
-    s.parts.push_back({name, [trials](std::uint64_t seed, std::uint64_t index, observations& out) {
+  // whose zeros along lines are exact
+  const auto each = [](const auto& visit) {
+    for_each_built_in([&visit]<class F>(const built_in_surface<F>& row) {
+      if constexpr (is_algebraic<F>())
+        visit(row);
+    });
+  };
+  std::uint64_t count = 0, which = 0;
+  each([&count](const auto&) { ++count; });
+  each([&]<class F>(const built_in_surface<F>& row) {
+    const auto trials =
+        std::make_shared<surface_trials<F>>(row.surface(), row.reach, which++, count, dropped);
+    s.parts.push_back({std::string(row.name),
+                       [trials](std::uint64_t seed, std::uint64_t index, observations& out) {
                          trials->examine(seed, index, out);
                        }});
-  };
-  add("spheres", spheres{}, 2.5);
-  add("quartdef", quartdef{}, 1.5);
-  add("tanglecube", tanglecube{}, 2.5);
-  add("holesrot", holesrot{}, 2);
+  });
   return s;
 }
 

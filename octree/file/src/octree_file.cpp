@@ -8,7 +8,7 @@
 namespace graze::octree {
 namespace {
 
-constexpr std::size_t header_size = 68, checksum_size = 4, longest_description = 65536;
+constexpr std::size_t header_size = 68, checksum_size = 4;
 constexpr char magic[] = {'G', 'R', 'A', 'Z', 'E', 'O', 'C', 'T'};
 
 class writer {
@@ -52,9 +52,9 @@ expected<std::vector<unsigned char>> encode_octree(const sparse_octree& octree,
   out.raw(magic);
   out.number(octree_file_version);
   out.number(static_cast<std::uint32_t>(octree.level()));
-  for (const double x : octree.box().lo)
+  for (const double x : octree.root_octant().lo)
     out.real(x);
-  out.real(octree.box().size);
+  out.real(octree.root_octant().size);
   out.number(std::uint64_t{octree.node_count()});
   out.number(std::uint64_t{octree.leaf_count()});
   out.number(static_cast<std::uint32_t>(description.size()));

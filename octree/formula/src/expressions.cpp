@@ -92,10 +92,10 @@ bool expressions::continuous(const monomial& m) const {
   return std::all_of(m.begin(), m.end(), [this](const factor& f) { return continuous_[f.base]; });
 }
 
-void expressions::accumulate(sum_form& f, const monomial& m, const number& by) const {
-  const auto [at, is_new] = f.try_emplace(m, by);
+void expressions::accumulate(sum_form& f, const monomial& m, const number& coefficient) const {
+  const auto [at, is_new] = f.try_emplace(m, coefficient);
   if (!is_new)
-    at->second = at->second + by;
+    at->second = at->second + coefficient;
   if (is_exactly(at->second, 0) && continuous(m))
     f.erase(at);
 }
@@ -119,10 +119,10 @@ expressions::result expressions::neg(sum_form f) {
   return f;
 }
 
-expressions::result expressions::scaled(sum_form f, const number& by) {
+expressions::result expressions::scaled(sum_form f, const number& factor) {
   sum_form r;
   for (auto& [m, coefficient] : f) {
-    const number product = coefficient * by;
+    const number product = coefficient * factor;
     if (!is_bounded(product))
       return refuse("the product of constants overflows");
     accumulate(r, m, product);
@@ -385,10 +385,10 @@ std::uint32_t expressions::store(const std::vector<number>& coefficients,
 }
 
 std::optional<node> expressions::polynomial_node(const std::vector<number>& p, node at) {
-  const auto derivative_of = [](const std::vector<number>& of) {
+  const auto derivative_of = [](const std::vector<number>& coefficients) {
     std::vector<number> r;
-    for (std::size_t i = 0; i + 1 < of.size(); ++i)
-      r.push_back(of[i] * number(static_cast<double>(of.size() - 1 - i)));
+    for (std::size_t i = 0; i + 1 < coefficients.size(); ++i)
+      r.push_back(coefficients[i] * number(static_cast<double>(coefficients.size() - 1 - i)));
     return r;
   };
   std::pair<node, std::vector<std::int32_t>> key{at, {}};

@@ -69,8 +69,8 @@ private:
   struct univariate;
 
   result refuse(const char* why);
-  result scaled(sum_form f, const number& by);
-  void accumulate(sum_form& f, const monomial& m, const number& by) const;
+  result scaled(sum_form f, const number& factor);
+  void accumulate(sum_form& f, const monomial& m, const number& coefficient) const;
   [[nodiscard]] bool continuous(const monomial& m) const;
   [[nodiscard]] static sum_form of_node(node n) { return {{{{n, 1}}, number(1.0)}}; }
 

@@ -364,6 +364,7 @@ expected<formula> formula::parse(std::string_view text, std::size_t* column) {
   auto program = p.built().compile(*f);
   if (!program)
     return refused(0, "the formula needs too many intermediate results at once");
+  program->text = text;
   return formula(std::make_shared<const tape::program>(*std::move(program)));
 }
 

@@ -124,11 +124,11 @@ TEST_CASE("octree.certified: a face of the domain within ulps of a scene's surfa
       const certified_hit wanted = scalar->first_hit(r);
       tallies[0].judge(F{}, r, domain, wanted);
       for (std::size_t p = 0; p < std::size(batch::paths); ++p) {
-        const auto lanes = lane_certified_traversal<F>::make(F{}, domain, batch::paths[p]);
-        if (!lanes)
+        const auto by_lanes = lane_certified_traversal<F>::make(F{}, domain, batch::paths[p]);
+        if (!by_lanes)
           continue;
         certified_hit hit;
-        lanes->first_hits(std::span(&r, 1), std::span(&hit, 1));
+        by_lanes->first_hits(std::span(&r, 1), std::span(&hit, 1));
         tallies[p + 1].judge(F{}, r, domain, hit);
         CHECK(hit == wanted);
       }

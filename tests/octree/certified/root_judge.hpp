@@ -21,7 +21,7 @@ public:
       if (g.degree() < 0)
         everywhere_ = true;
       else
-        of_.emplace_back(g);
+        counters_.emplace_back(g);
     }
   }
 
@@ -49,7 +49,7 @@ private:
     if (hi < lo)
       return 0;
     int count = 0;
-    for (const auto& g : of_) {
+    for (const auto& g : counters_) {
       mpq_class value = 0;
       for (std::size_t i = g.square_free().size(); i-- > 0;)
         value = value * lo + g.square_free()[i];
@@ -59,7 +59,7 @@ private:
   }
 
   std::optional<std::pair<mpq_class, mpq_class>> range_;
-  std::vector<graze::oracle::root_counter> of_;
+  std::vector<graze::oracle::root_counter> counters_;
   bool everywhere_ = false;
 };
 

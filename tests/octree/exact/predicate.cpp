@@ -59,12 +59,12 @@ template <class Predicate> tally judge_generators(std::uint64_t rays_each) {
       for (std::uint64_t k = 0; k < rays_each; ++k) {
         const fuzz::trial t = fuzz::make_trial(g, 41, k, level);
         const fuzz::truth is = fuzz::truth_of(t);
-        const answers said = ask<Predicate>(t);
+        const answers answer = ask<Predicate>(t);
         const auto size = [](fuzz::voxel_set s) { return static_cast<unsigned>(std::popcount(s)); };
         sum.octants += size(t.all());
         sum.touched += size(is.touched);
         sum.owned += size(is.owned);
-        sum.wrong += size(is.touched ^ said.touched) + size(is.owned ^ said.owned);
+        sum.wrong += size(is.touched ^ answer.touched) + size(is.owned ^ answer.owned);
       }
   return sum;
 }
@@ -204,19 +204,19 @@ template <class Predicate> tally judge_hard(std::uint64_t rays, std::uint64_t ra
       CHECK(oracle::rational::owns(o, d, c.lo, upper(c), closed_far) == owned);
     }
     const int is = touched + 2 * owned;
-    const int said = in_all_modes([&] {
+    const int answer = in_all_modes([&] {
       const Predicate p(r);
       return p.touches(c) + 2 * p.owns(c, closed_far);
     });
     ++sum.octants;
     sum.touched += touched;
     sum.owned += owned;
-    sum.wrong += is != said;
-    if (is != said && sum.wrong == 1)
+    sum.wrong += is != answer;
+    if (is != answer && sum.wrong == 1)
       UNSCOPED_INFO(std::hexfloat << "o " << o[0] << ' ' << o[1] << ' ' << o[2] << " d " << d[0]
                                   << ' ' << d[1] << ' ' << d[2] << " lo " << c.lo[0] << ' '
                                   << c.lo[1] << ' ' << c.lo[2] << " size " << c.size << " far "
-                                  << closed_far << " is " << is << " said " << said);
+                                  << closed_far << " is " << is << " said " << answer);
   }
   return sum;
 }

@@ -56,11 +56,11 @@ vec3 any_direction(fuzz::random_stream& random) {
 }
 
 std::vector<fuzz::voxel> order_of(fuzz::traversal& t, const fuzz::trial& at) {
-  fuzz::visited said;
-  t.visit(at, said);
+  fuzz::visited answer;
+  t.visit(at, answer);
   std::vector<fuzz::voxel> order;
-  for (unsigned i = 0; i < said.size(); ++i)
-    order.push_back(said[i]);
+  for (unsigned i = 0; i < answer.size(); ++i)
+    order.push_back(answer[i]);
   return order;
 }
 
@@ -138,25 +138,25 @@ TEST_CASE("octree.scaled_direction: exact, and from 1 to 2 where that is exact",
   int ordinary = 0, scaled = 0, limited = 0, subnormal = 0;
   for (int i = 0; i < 1'000'000; ++i) {
     const vec3 d = any_direction(random);
-    const scaling by = scaling_of(d[0], d[1], d[2]);
+    const scaling factors = scaling_of(d[0], d[1], d[2]);
     const vec3 s = scaled_direction(d);
     const double before = greatest_of(d), after = greatest_of(s);
-    REQUIRE(std::ldexp(1.0, std::ilogb(by.of_direction)) == by.of_direction);
-    REQUIRE(std::isnormal(by.of_direction));
-    REQUIRE(std::isnormal(by.of_parameter));
-    REQUIRE(std::ilogb(by.of_direction) == -std::ilogb(by.of_parameter));
+    REQUIRE(std::ldexp(1.0, std::ilogb(factors.of_direction)) == factors.of_direction);
+    REQUIRE(std::isnormal(factors.of_direction));
+    REQUIRE(std::isnormal(factors.of_parameter));
+    REQUIRE(std::ilogb(factors.of_direction) == -std::ilogb(factors.of_parameter));
     bool could_halve = true; // and remain exact
     for (unsigned a = 0; a < 3; ++a) {
       REQUIRE(std::isfinite(s[a]));
       // scaled back: a bit lost would not return
-      REQUIRE(std::ldexp(s[a], -std::ilogb(by.of_direction)) == d[a]);
+      REQUIRE(std::ldexp(s[a], -std::ilogb(factors.of_direction)) == d[a]);
       could_halve = could_halve && (s[a] == 0 || std::fabs(s[a]) >= 0x1p-1021);
     }
     if (before >= 0x1p-64 && before < 0x1p64) {
       REQUIRE(s == d);
       ++ordinary;
     } else if (before < 0x1p-1022) {
-      REQUIRE(by.of_direction == 0x1p1022);
+      REQUIRE(factors.of_direction == 0x1p1022);
       ++subnormal;
     } else if (after < 1 || after >= 2) {
       REQUIRE(after >= 2);
@@ -269,16 +269,16 @@ TEST_CASE("octree.scaled_direction: components far apart, no miss and no more sp
 TEST_CASE("octree.scaled_direction: a scaling that loses bits of a component misses octants",
           "[mpfr][hardcase]") {
   // the ray rises to y = 0 exactly where it reaches x = 0 (or, with 3, a little later)
-  struct one {
+  struct tiny_ray {
     vec3 origin, direction;
   };
-  const one rays[] = {
+  const tiny_ray rays[] = {
       {{-0x1p1000, -0x1.4ccccccccccccp-70, 0}, {0x1p1000, 0x1.4ccccccccccccp-70, 0}},
       {{-0x1p1000, -0x1.8p-1073, 0x1p900}, {0x1p1000, 0x1.8p-1073, 0}},
       {{-0x1p1000, 0x1.4cccccccccccfp-60, 1}, {0x1p1000, -0x1.4cccccccccccfp-60, 0}}};
   const cube root{{-0x1p1000, -0x1p1000, -0x1p1000}, 0x1p1001};
   using B = rounding::upward;
-  const auto missed = [&](const auto& method, const one& r) {
+  const auto missed = [&](const auto& method, const tiny_ray& r) {
     auto at = typename std::decay_t<decltype(method)>::state{};
     branches<decltype(at)> out;
     unsigned passed = 0;
@@ -297,7 +297,7 @@ TEST_CASE("octree.scaled_direction: a scaling that loses bits of a component mis
   };
   const B::scope scope;
   int by_mutant = 0;
-  for (const one& r : rays) {
+  for (const tiny_ray& r : rays) {
     const ray a_ray = *ray::make(r.origin, r.direction);
     CHECK(missed(sound<B, convention::closed>(a_ray), r) == 0);
     by_mutant += missed(by_direction<B, convention::closed, &careless>(a_ray), r);

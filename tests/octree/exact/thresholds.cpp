@@ -156,17 +156,20 @@ TEST_CASE("octree.determinant_sign: products as long as they get, at every diffe
     for (int gap = 40; gap <= 70; ++gap)
       for (int i = 0; i < 12; ++i) {
         // x: operands 2^gap apart, all bits set, the difference's bits as many as they can be
-        const auto of = [&](bool all) {
+        const auto magnitude = [&](bool all) {
           return all ? longest : 1 + static_cast<double>(random.bits(52)) * 0x1p-52;
         };
         const bool all = i < 6;
-        const exact_distance x{std::ldexp(of(all), gap), -of(all)};
-        const double by_x = of(all);
+        const exact_distance x{std::ldexp(magnitude(all), gap), -magnitude(all)};
+        const double by_x = magnitude(all);
         const int close = i % 6; // y's product: 2^above times smaller in its unit, or about x's
-        const exact_distance y = close < 3 ? exact_distance{std::ldexp(of(true), gap - above), 0}
-                                           : exact_distance{std::ldexp(of(all), gap - above),
-                                                            -std::ldexp(of(all), -above)};
-        const double by_y = close == 0 ? 1 : close < 5 ? of(all) : std::ldexp(of(all), above);
+        const exact_distance y = close < 3
+                                     ? exact_distance{std::ldexp(magnitude(true), gap - above), 0}
+                                     : exact_distance{std::ldexp(magnitude(all), gap - above),
+                                                      -std::ldexp(magnitude(all), -above)};
+        const double by_y = close == 0  ? 1
+                            : close < 5 ? magnitude(all)
+                                        : std::ldexp(magnitude(all), above);
         const int is = exact_sign(x, by_x, y, by_y);
         wrong += in_all_modes([&] { return 4 + determinant_sign(x, by_x, y, by_y); }) != 4 + is;
         wrong += in_all_modes([&] { return 4 + determinant_sign(y, by_y, x, by_x); }) != 4 - is;

@@ -91,9 +91,9 @@ void examine(tally& t, judge::random_source& random, const oracle::tree& tree, i
     using anywhere = interval<rounding::nearest>;
     const anywhere same =
         surface(anywhere(b.lo[0], b.hi[0]), anywhere(b.lo[1], b.hi[1]), anywhere(b.lo[2], b.hi[2]));
-    const auto complain = [&](const char* what, const vec3& p) {
+    const auto complain = [&](const char* name, const vec3& p) {
       if (t.wrong++ < 5)
-        FAIL_CHECK(what << ": " << tree.text << " at " << p[0] << "," << p[1] << "," << p[2]
+        FAIL_CHECK(name << ": " << tree.text << " at " << p[0] << "," << p[1] << "," << p[2]
                         << " in [" << b.lo[0] << "," << b.hi[0] << "]x[" << b.lo[1] << ","
                         << b.hi[1] << "]x[" << b.lo[2] << "," << b.hi[2] << "]: natural ["
                         << natural.lower() << "," << natural.upper() << "] mean [" << mean.lower()

@@ -101,9 +101,9 @@ TEST_CASE("octree.formula: of one sign where it is defined, nothing is certified
       REQUIRE(tree);
       for (const content c : tree->leaves())
         CHECK(c != content::certified);
-      const auto lanes = voxelize_in_lanes(f.surface(), unit, level);
-      REQUIRE(lanes);
-      for (const content c : lanes->leaves())
+      const auto by_lanes = voxelize_in_lanes(f.surface(), unit, level);
+      REQUIRE(by_lanes);
+      for (const content c : by_lanes->leaves())
         CHECK(c != content::certified);
     }
     const auto certified = certified_traversal<formula_surface>::make(f.surface(), unit);

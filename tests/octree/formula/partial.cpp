@@ -32,9 +32,9 @@ leaf_counts leaves_of(const formula& f, int level, const box& domain = unit) {
   leaf_counts r{tree->leaf_count(), 0};
   for (const content c : tree->leaves())
     r.certified += c == content::certified;
-  const auto lanes = voxelize_in_lanes(f.surface(), domain, level);
-  REQUIRE(lanes);
-  CHECK(lanes->leaf_count() == r.all);
+  const auto by_lanes = voxelize_in_lanes(f.surface(), domain, level);
+  REQUIRE(by_lanes);
+  CHECK(by_lanes->leaf_count() == r.all);
   return r;
 }
 
@@ -152,7 +152,8 @@ TEST_CASE("octree.formula: at an edge of its domain a surface is not lost", "[ha
         bool there = true;
         for (int bit = 3; bit >= 0 && there; --bit) {
           const unsigned child = (8u >> bit & 1u) | (y >> bit & 1u) << 1 | (z >> bit & 1u) << 2;
-          there = tree->child_mask(n, tree->box(), static_cast<std::uint8_t>(1u << child)) != 0;
+          there =
+              tree->child_mask(n, tree->root_octant(), static_cast<std::uint8_t>(1u << child)) != 0;
           if (there)
             n = tree->child(n, child);
         }

@@ -18,16 +18,14 @@ namespace {
 std::string text_of(const spheres&) {
   std::string text;
   for (const auto& s : spheres::parts) {
-    char one[200];
-    std::snprintf(one, sizeof one, "(x-(%g))^2+(y-(%g))^2+(z-(%g))^2-%g^2", s.centre[0],
+    char single[200];
+    std::snprintf(single, sizeof single, "(x-(%g))^2+(y-(%g))^2+(z-(%g))^2-%g^2", s.centre[0],
                   s.centre[1], s.centre[2], s.radius);
-    text += (text.empty() ? "union(" : ",") + std::string(one);
+    text += (text.empty() ? "union(" : ",") + std::string(single);
   }
   return text + ")";
 }
-std::string text_of(const quartdef&) { return "(x^2-1)^2+(y^2-1)^2+(z^2-1)^2-1"; }
-std::string text_of(const tanglecube&) { return "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8"; }
-std::string text_of(const holesrot&) { return "x^3+y^3+z^3-x-y-z"; }
+template <class F> std::string text_of(const F&) { return built_in<F>.formula; }
 
 template <class S> formula formula_of(const S& scene) {
   const auto f = formula::parse(text_of(scene.surface));
@@ -46,9 +44,9 @@ std::size_t lost(const sparse_octree& finer, sparse_octree::node n, const sparse
   std::size_t r = 0;
   for (unsigned i = 0; i < 8; ++i) {
     const auto bit = static_cast<std::uint8_t>(1u << i);
-    if (finer.child_mask(n, finer.box(), bit) == 0)
+    if (finer.child_mask(n, finer.root_octant(), bit) == 0)
       continue;
-    if (coarser.child_mask(m, coarser.box(), bit) == 0)
+    if (coarser.child_mask(m, coarser.root_octant(), bit) == 0)
       ++r;
     else
       r += lost(finer, finer.child(n, i), coarser, coarser.child(m, i), level + 1, leaves);
@@ -130,10 +128,10 @@ TEST_CASE("octree.formula: first hits are the built-in ones, on every path and l
         different += a.outcome != b.outcome ||
                      (a.outcome == verdict::hit && (a.t_far < b.t_near || b.t_far < a.t_near));
         test::for_each_path([&](batch::path p) {
-          const auto lanes =
+          const auto by_lanes =
               lane_traversal<formula_surface>::make(f, scene.domain(), *typed, level, p);
-          REQUIRE(lanes);
-          const surface_hit c = lanes->first_hit(r);
+          REQUIRE(by_lanes);
+          const surface_hit c = by_lanes->first_hit(r);
           unequal += c.outcome != b.outcome || !(c.t_near == b.t_near) || !(c.t_far == b.t_far);
         });
       }
@@ -163,13 +161,13 @@ TEST_CASE("octree.formula: a ray beside a ruling is given up after as many octan
   CHECK(counts.cells_opened == most_cells_opened);
   CHECK(other.outcome == verdict::hit);
   test::for_each_path([&](batch::path p) {
-    const auto lanes =
+    const auto by_lanes =
         lane_traversal<formula_surface>::make(f->surface(), domain, *octree, max_level, p);
-    REQUIRE(lanes);
-    traversal_counts one, three;
+    REQUIRE(by_lanes);
+    traversal_counts single, three;
     surface_hit found[3];
-    const surface_hit alone = lanes->first_hit(beside, &one);
-    lanes->first_hits(rays, found, &three);
+    const surface_hit alone = by_lanes->first_hit(beside, &single);
+    by_lanes->first_hits(rays, found, &three);
     for (const surface_hit& h : {alone, found[0], found[2]}) {
       CHECK(h.outcome == wanted.outcome);
       CHECK(h.t_near == wanted.t_near);
@@ -177,8 +175,8 @@ TEST_CASE("octree.formula: a ray beside a ruling is given up after as many octan
     }
     CHECK(found[1].outcome == other.outcome);
     CHECK(found[1].t_near == other.t_near);
-    CHECK(one.cells_opened == counts.cells_opened);
-    CHECK(one.leaves_kept == counts.leaves_kept);
+    CHECK(single.cells_opened == counts.cells_opened);
+    CHECK(single.leaves_kept == counts.leaves_kept);
     CHECK(three.cells_opened > 2 * counts.cells_opened);
   });
 }

@@ -50,7 +50,7 @@ thick_ray touched_by(const root_cube& root, const vec3& o, const vec3& d) {
     r.touched.push_back(i);
     unsigned far = 0;
     for (unsigned a = 0; a < 3; ++a)
-      far |= hi[a] == root.box().hi(static_cast<int>(a)) ? 1u << a : 0;
+      far |= hi[a] == root.root_octant().hi(static_cast<int>(a)) ? 1u << a : 0;
     r.owned += oracle::owns(o, d, c.lo, hi, far);
   }
   return r;

@@ -34,14 +34,14 @@ struct times {
   }
 };
 
-bool meets(const ray& r, const ray_segment& s, const cube& c, convention what, unsigned far) {
+bool meets(const ray& r, const ray_segment& s, const cube& c, convention reported, unsigned far) {
   times t;
   t.from(mpq_class(s.first()), true);
   if (s.last() < std::numeric_limits<double>::infinity())
     t.until(mpq_class(s.last()), true);
   for (int a = 0; a < 3; ++a) {
     const double o = r.origin()[a], d = r.direction()[a], lo = c.lo[a], hi = c.hi(a);
-    const bool hi_in = what == convention::closed || (far >> a & 1) != 0;
+    const bool hi_in = reported == convention::closed || (far >> a & 1) != 0;
     if (d == 0) {
       if (o < lo || hi < o || (o == hi && !hi_in))
         return false;
@@ -110,11 +110,11 @@ TEST_CASE("octree.voxel_rays: a segment is its points with first <= t <= last, e
         std::optional<std::vector<voxel>> before;
         on_each_path([&](batch::path) {
           const auto found = all_of(t, c, e, s);
-          const fuzz::voxel_set said = numbers(t, found);
+          const fuzz::voxel_set answer = numbers(t, found);
           INFO(g.name << " " << i << " " << k);
-          REQUIRE((wanted & ~said) == 0);
+          REQUIRE((wanted & ~answer) == 0);
           if (e == exactness::exact)
-            REQUIRE(said == wanted);
+            REQUIRE(answer == wanted);
           if (before)
             REQUIRE(*before == found);
           before = found;

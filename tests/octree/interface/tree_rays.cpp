@@ -113,7 +113,7 @@ TEST_CASE("octree.tree_rays: examples", "[unit]") {
 
 TEST_CASE("octree.tree_rays: a sparse octree and its voxel set give the same", "[unit]") {
   const auto tree = *voxelize(tanglecube{}, box{{-2.5, -2.5, -2.5}, {2.5, 2.5, 2.5}}, 5);
-  const root_cube root = *root_cube::make(tree.box(), 5);
+  const root_cube root = *root_cube::make(tree.root_octant(), 5);
   const voxel_set set = *voxel_set::from_tree(root, tree);
   CHECK(set.voxel_count() == tree.leaf_count());
   fuzz::random_stream random(1, 1);
@@ -127,7 +127,7 @@ TEST_CASE("octree.tree_rays: a sparse octree and its voxel set give the same", "
       return false;
     });
     visit_voxels(set, r, convention::owned, exactness::exact, {}, [&](const voxel& v) {
-      by_set.push_back(set.box(v));
+      by_set.push_back(set.octant(v));
       return false;
     });
     REQUIRE(by_tree == by_set);

@@ -39,16 +39,16 @@ TEST_CASE("octree.voxel_rays: exact mode reports what the oracle does, conservat
           const convention c = (k & 1) != 0 ? convention::owned : convention::closed;
           const exactness e = (k & 2) != 0 ? exactness::exact : exactness::conservative;
           const std::vector<voxel> found = all_of(t, c, e);
-          const fuzz::voxel_set said = numbers(t, found),
+          const fuzz::voxel_set answer = numbers(t, found),
                                 wanted =
                                     t.occupied & (c == convention::owned ? is.owned : is.touched);
           reported += found.size();
-          misses += std::popcount(wanted & ~said);
-          spurious += found.size() - std::popcount(said); // twice
+          misses += std::popcount(wanted & ~answer);
+          spurious += found.size() - std::popcount(answer); // twice
           if (e == exactness::exact)
-            spurious += std::popcount(said & ~wanted);
+            spurious += std::popcount(answer & ~wanted);
           else
-            extra += std::popcount(said & ~wanted);
+            extra += std::popcount(answer & ~wanted);
           if (c == convention::owned) {
             std::vector<fuzz::voxel> order;
             for (const voxel& v : found)
@@ -82,15 +82,15 @@ TEST_CASE("octree.voxel_rays: conservative visits are those of the sound method,
     for (std::uint64_t i = 0; i < 500; ++i) {
       const sparse_trial t = make_sparse(g, 5, i);
       const auto of_sound = [&]<convention C>() {
-        fuzz::voxel_set said = 0;
+        fuzz::voxel_set answer = 0;
         const sound<rounding::nearest, C> method(t.the_ray);
         const fuzz::block_tree tree(t.trial);
         descend(method, t.trial.root, t.trial.level, tree,
                 [&](const cube&, const fuzz::block_tree::node& n, const auto&) {
-                  said |= fuzz::voxel_set{1} << tree.voxel_of(n);
+                  answer |= fuzz::voxel_set{1} << tree.voxel_of(n);
                   return false;
                 });
-        return said & t.occupied;
+        return answer & t.occupied;
       };
       on_each_path([&](batch::path) {
         const auto closed = all_of(t, convention::closed, exactness::conservative);

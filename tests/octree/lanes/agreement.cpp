@@ -25,7 +25,7 @@ constexpr cube roots[] = {{{0, 0, 0}, 1},
 
 void children(batch::path p) {
   const auto rays_a_level = static_cast<std::uint64_t>(std::max(1l, test::input_count() / 500));
-  const path_under_test& lanes = GRAZE_ALL_PATHS(path_under_test, walks).on(p);
+  const path_under_test& by_lanes = GRAZE_ALL_PATHS(path_under_test, walks).on(p);
   for (const fuzz::generator& g : fuzz::generators()) {
     long wrong = 0, steps = 0;
     for (int level = 1; level <= 50; ++level)
@@ -37,8 +37,8 @@ void children(batch::path p) {
           continue;
         const ray& r = *made;
         const trail closed = scalar_walk<convention::closed>(r, w);
-        wrong += !(lanes.closed(r, w) == closed);
-        wrong += !(lanes.owned(r, w) == scalar_walk<convention::owned>(r, w));
+        wrong += !(by_lanes.closed(r, w) == closed);
+        wrong += !(by_lanes.owned(r, w) == scalar_walk<convention::owned>(r, w));
         steps += closed.steps;
       }
     INFO("rays of " << g.name << ", " << steps << " octants");

@@ -19,8 +19,8 @@ struct tally {
   std::string first;
 };
 
-bool same(const bound<B>& scalar, const eight_bounds& lanes, std::size_t i) {
-  const bounds x = to_bounds(scalar), y{lanes.lo[i], lanes.hi[i]};
+bool same(const bound<B>& scalar, const eight_bounds& by_lanes, std::size_t i) {
+  const bounds x = to_bounds(scalar), y{by_lanes.lo[i], by_lanes.hi[i]};
   return x.is_empty() ? y.lo != y.lo && y.hi != y.hi : x.lo == y.lo && x.hi == y.hi;
 }
 
@@ -55,8 +55,8 @@ void compare(const F& f, Evaluate evaluate, std::uint64_t seed, int rounds, tall
         for (std::size_t i = 0; i < 8; ++i)
           axis.hi[i] = axis.lo[i] =
               std::isfinite(axis.lo[i]) ? axis.lo[i] : (std::isfinite(axis.hi[i]) ? axis.hi[i] : 0);
-    evaluation lanes;
-    evaluate(f, in, lanes);
+    evaluation by_lanes;
+    evaluate(f, in, by_lanes);
     const B::scope scope;
     for (std::size_t i = 0; i < 8; ++i) {
       const box b{{in.axis[0].lo[i], in.axis[1].lo[i], in.axis[2].lo[i]},
@@ -71,27 +71,28 @@ void compare(const F& f, Evaluate evaluate, std::uint64_t seed, int rounds, tall
       const bool none = has_no_zero<B>(f, b);
       const int sign = certified_sign(value);
       std::string apart;
-      const auto enclosure = [&](const char* what, const bound<B>& scalar, const eight_bounds& by) {
-        if (apart.empty() && !same(scalar, by, i))
-          apart = std::string(what) + " " + spelled({scalar.lower(), scalar.upper()}) +
-                  " by scalar code, " + spelled({by.lo[i], by.hi[i]}) + " by lanes";
+      const auto enclosure = [&](const char* name, const bound<B>& scalar,
+                                 const eight_bounds& eight) {
+        if (apart.empty() && !same(scalar, eight, i))
+          apart = std::string(name) + " " + spelled({scalar.lower(), scalar.upper()}) +
+                  " by scalar code, " + spelled({eight.lo[i], eight.hi[i]}) + " by lanes";
       };
-      const auto verdict = [&](const char* what, bool scalar, unsigned mask) {
+      const auto verdict = [&](const char* name, bool scalar, unsigned mask) {
         if (apart.empty() && scalar != ((mask >> i & 1) != 0))
-          apart = std::string(what) + (scalar ? " by scalar code alone" : " by lanes alone");
+          apart = std::string(name) + (scalar ? " by scalar code alone" : " by lanes alone");
       };
-      enclosure("value", value, lanes.value);
-      enclosure("value of duals", g.value, lanes.of_dual);
+      enclosure("value", value, by_lanes.value);
+      enclosure("value of duals", g.value, by_lanes.of_dual);
       for (std::size_t a = 0; a < 3; ++a)
-        enclosure("gradient", g.partial[a], lanes.gradient[a]);
-      enclosure("value along a line", s.value, lanes.along);
-      enclosure("slope", s.partial[0], lanes.slope);
-      verdict("positive", sign > 0, lanes.positive);
-      verdict("negative", sign < 0, lanes.negative);
+        enclosure("gradient", g.partial[a], by_lanes.gradient[a]);
+      enclosure("value along a line", s.value, by_lanes.along);
+      enclosure("slope", s.partial[0], by_lanes.slope);
+      verdict("positive", sign > 0, by_lanes.positive);
+      verdict("negative", sign < 0, by_lanes.negative);
       if (std::isfinite(b.lo[0] + b.hi[0]) && std::isfinite(b.lo[1] + b.hi[1]) &&
           std::isfinite(b.lo[2] + b.hi[2])) {
-        enclosure("mean value form", mean_value_form<B>(f, x, g.partial), lanes.mean_value);
-        verdict("no zero", none, lanes.no_zero);
+        enclosure("mean value form", mean_value_form<B>(f, x, g.partial), by_lanes.mean_value);
+        verdict("no zero", none, by_lanes.no_zero);
       }
       ++t.boxes;
       t.free += none;
@@ -105,7 +106,7 @@ void compare(const F& f, Evaluate evaluate, std::uint64_t seed, int rounds, tall
 }
 
 void of_scenes(batch::path p) {
-  const evaluations& by = GRAZE_ALL_PATHS(evaluations, evaluations_of).on(p);
+  const evaluations& of_path = GRAZE_ALL_PATHS(evaluations, evaluations_of).on(p);
   const auto check = [&](const char* name, const auto& f, const auto& evaluate) {
     tally t;
     compare(f, evaluate, 26, 4000, t);
@@ -114,14 +115,11 @@ void of_scenes(batch::path p) {
     CHECK(t.free > 2000);
     CHECK(t.signs > 2000);
   };
-  check("spheres", spheres{}, by.spheres);
-  check("quartdef", quartdef{}, by.quartdef);
-  check("tanglecube", tanglecube{}, by.tanglecube);
-  check("holesrot", holesrot{}, by.holesrot);
-  check("asterisk(3,4)", asterisk<3, 4>{}, by.asterisk_3_4);
-  check("asterisk(9,18)", asterisk<9, 18>{}, by.asterisk_9_18);
-  check("loose", loose{}, by.loose);
-  check("creased", creased{}, by.creased);
+  for_each_built_in([&]<class F>(const built_in_surface<F>& row) {
+    check(row.name, row.surface(), std::get<evaluator<F>>(of_path.built_in));
+  });
+  check("loose", loose{}, of_path.loose);
+  check("creased", creased{}, of_path.creased);
 }
 
 void of_texts(batch::path p, const std::vector<std::string>& texts, int rounds) {

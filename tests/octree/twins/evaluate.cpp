@@ -37,17 +37,17 @@ template <class Path, class F> void evaluate(const F& f, const eight_inputs& b, 
   r.negative = signs.negative;
 }
 
-template <class Path> consteval evaluations make_evaluations() {
-  using namespace octree;
-  return {&evaluate<Path, spheres>,        &evaluate<Path, quartdef>,
-          &evaluate<Path, tanglecube>,     &evaluate<Path, holesrot>,
-          &evaluate<Path, asterisk<3, 4>>, &evaluate<Path, asterisk<9, 18>>,
-          &evaluate<Path, twins::loose>,   &evaluate<Path, twins::creased>,
-          &evaluate<Path, formula_surface>};
+template <class Path, class... F>
+consteval evaluations make_evaluations(const std::tuple<octree::built_in_surface<F>...>&) {
+  return {{&evaluate<Path, F>...},
+          &evaluate<Path, twins::loose>,
+          &evaluate<Path, twins::creased>,
+          &evaluate<Path, octree::formula_surface>};
 }
 
 } // namespace
 
-constinit const evaluations GRAZE_ON_PATH(evaluations_of) = make_evaluations<batch::this_path>();
+constinit const evaluations
+    GRAZE_ON_PATH(evaluations_of) = make_evaluations<batch::this_path>(octree::built_in_surfaces);
 
 } // namespace graze::twins

@@ -1,7 +1,6 @@
 #pragma once
 /// What the lanes of a path say of a surface on eight boxes.
 #include <graze/batch/per_path.hpp>
-#include <graze/octree/asterisk.hpp>
 #include <graze/octree/surfaces.hpp>
 #include <graze/octree_formula.hpp>
 
@@ -37,17 +36,16 @@ struct creased {
   }
 };
 
+template <class F> using evaluator = void (*)(const F&, const eight_inputs&, evaluation&);
+template <class... F>
+std::tuple<evaluator<F>...> evaluators_of(const std::tuple<octree::built_in_surface<F>...>&);
+
 /// A path's verdicts on each surface.
 struct evaluations {
-  void (*spheres)(const octree::spheres&, const eight_inputs&, evaluation&);
-  void (*quartdef)(const octree::quartdef&, const eight_inputs&, evaluation&);
-  void (*tanglecube)(const octree::tanglecube&, const eight_inputs&, evaluation&);
-  void (*holesrot)(const octree::holesrot&, const eight_inputs&, evaluation&);
-  void (*asterisk_3_4)(const octree::asterisk<3, 4>&, const eight_inputs&, evaluation&);
-  void (*asterisk_9_18)(const octree::asterisk<9, 18>&, const eight_inputs&, evaluation&);
-  void (*loose)(const twins::loose&, const eight_inputs&, evaluation&);
-  void (*creased)(const twins::creased&, const eight_inputs&, evaluation&);
-  void (*formula)(const octree::formula_surface&, const eight_inputs&, evaluation&);
+  decltype(evaluators_of(octree::built_in_surfaces)) built_in;
+  evaluator<twins::loose> loose;
+  evaluator<twins::creased> creased;
+  evaluator<octree::formula_surface> formula;
 };
 GRAZE_DECLARE_ON_PATHS(evaluations, evaluations_of);
 

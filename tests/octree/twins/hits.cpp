@@ -29,15 +29,15 @@ template <class F>
 void compare_certified(const F& f, const box& domain, const std::vector<ray>& rays, batch::path p,
                        tally& t) {
   const auto scalar = certified_traversal<F>::make(f, domain);
-  const auto lanes = lane_certified_traversal<F>::make(f, domain, p);
-  REQUIRE(static_cast<bool>(scalar) == static_cast<bool>(lanes));
+  const auto by_lanes = lane_certified_traversal<F>::make(f, domain, p);
+  REQUIRE(static_cast<bool>(scalar) == static_cast<bool>(by_lanes));
   if (!scalar)
     return;
   std::vector<certified_hit> wanted, hits(rays.size());
   std::uint64_t steps_wanted = 0, steps = 0;
   for (const ray& r : rays)
     wanted.push_back(scalar->first_hit(r, &steps_wanted));
-  lanes->first_hits(rays, hits, &steps);
+  by_lanes->first_hits(rays, hits, &steps);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     t.add(wanted[i].outcome);
     t.differences += !(wanted[i] == hits[i]);
@@ -47,7 +47,7 @@ void compare_certified(const F& f, const box& domain, const std::vector<ray>& ra
   for (std::size_t count = 0; count < std::min<std::size_t>(20, rays.size()); ++count) {
     const std::size_t from = (count * 577) % (rays.size() - count);
     std::vector<certified_hit> some(count);
-    lanes->first_hits(std::span(rays).subspan(from, count), some);
+    by_lanes->first_hits(std::span(rays).subspan(from, count), some);
     t.differences +=
         !std::equal(some.begin(), some.end(), wanted.begin() + static_cast<std::ptrdiff_t>(from));
   }
@@ -60,27 +60,28 @@ void compare_descents(const F& f, const box& domain, const std::vector<ray>& ray
   if (!octree)
     return;
   const auto scalar = surface_traversal<F>::make(f, domain, *octree, level);
-  const auto lanes = lane_traversal<F>::make(f, domain, *octree, level, p);
-  REQUIRE(static_cast<bool>(scalar) == static_cast<bool>(lanes));
+  const auto by_lanes = lane_traversal<F>::make(f, domain, *octree, level, p);
+  REQUIRE(static_cast<bool>(scalar) == static_cast<bool>(by_lanes));
   if (!scalar)
     return;
   std::vector<surface_hit> hits(rays.size());
-  traversal_counts wanted, one, batch;
-  lanes->first_hits(rays, hits, &batch);
+  traversal_counts wanted, single, batch;
+  by_lanes->first_hits(rays, hits, &batch);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const surface_hit h = scalar->first_hit(rays[i], &wanted);
     t.add(h.outcome);
-    t.differences += !same(h, hits[i]) + !same(h, lanes->first_hit(rays[i], &one));
+    t.differences += !same(h, hits[i]) + !same(h, by_lanes->first_hit(rays[i], &single));
   }
-  for (const traversal_counts& c : {one, batch}) {
+  for (const traversal_counts& c : {single, batch}) {
     CHECK(c.cells_opened == wanted.cells_opened);
     CHECK(c.leaves_kept == wanted.leaves_kept);
   }
 }
 
 /// Those of the campaign, of a camera, and through each awkward domain.
-template <class F> void of_scene(const char* name, const F& f, batch::path p) {
-  INFO(name);
+template <class F> void of_scene(const built_in_surface<F>& row, batch::path p) {
+  INFO(row.name);
+  const F f;
   tally certified, descents;
   random_source random(27);
   for (const box& domain : some_domains()) {
@@ -95,16 +96,13 @@ template <class F> void of_scene(const char* name, const F& f, batch::path p) {
   for (int j = 1; j < 512; j += 19)
     for (int i = 2; i < 512; i += 19)
       rays.push_back(scene.pixel(i, j));
-  const double scale =
-      name == std::string("asterisk(3,4)") || name == std::string("asterisk(9,18)") ? 0.4 : 1;
   for (const fuzz::generator& g : fuzz::generators())
     for (std::uint64_t i = 0; i < 40; ++i) {
       const fuzz::trial trial =
           fuzz::make_trial(g, 7, i, 1 + static_cast<int>(i), {{-4, -4, -4}, 8});
       rays.push_back(*ray::make(trial.origin, trial.direction));
     }
-  const double reach = 2.5 * scale;
-  const box domain{{-reach, -reach, -reach}, {reach, reach, reach}};
+  const box domain = row.domain();
   compare_certified(f, domain, rays, p, certified);
   for (const int level : {5, 6, 7, 20, 30, 50})
     compare_descents(f, domain, rays, std::min(level, 6), level, p, descents);
@@ -117,7 +115,7 @@ template <class F> void of_scene(const char* name, const F& f, batch::path p) {
   }
 }
 void of_scenes(batch::path p) {
-  for_each_scene([p](const char* name, const auto& f) { of_scene(name, f, p); });
+  for_each_built_in([p](const auto& row) { of_scene(row, p); });
 }
 
 void of_texts(batch::path p, const std::vector<std::string>& texts, std::size_t rays_each) {

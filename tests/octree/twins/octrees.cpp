@@ -20,24 +20,25 @@ template <class F> void compare(const F& f, const box& domain, int level, batch:
                 << domain.lo[2] << " to " << domain.hi[0] << ' ' << domain.hi[1] << ' '
                 << domain.hi[2]);
   const auto scalar = voxelize(f, domain, level);
-  const auto lanes = voxelize_in_lanes(f, domain, level, p);
+  const auto by_lanes = voxelize_in_lanes(f, domain, level, p);
   ++t.trees;
   if (!scalar) {
     ++t.refused;
-    CHECK_FALSE(lanes);
-    CHECK(lanes.reason() == scalar.reason());
+    CHECK_FALSE(by_lanes);
+    CHECK(by_lanes.reason() == scalar.reason());
     return;
   }
-  REQUIRE(lanes);
-  CHECK(*scalar == *lanes);
+  REQUIRE(by_lanes);
+  CHECK(*scalar == *by_lanes);
   t.kept += scalar->leaf_count();
   for (const content c : scalar->leaves())
     ++(c == content::certified ? t.certified : t.possible);
 }
 
 void of_scenes(batch::path p) {
-  for_each_scene([&](const char* name, const auto& f) {
-    INFO(name);
+  for_each_built_in([p](const auto& row) {
+    INFO(row.name);
+    const auto f = row.surface();
     tally t;
     std::vector<box> domains = some_domains();
     domains.push_back({{-0.8, -2.5, 0.1}, {2.5, 0.3, 2.5}});

@@ -21,10 +21,10 @@ void same_leaves(const char* text, const box& domain, std::size_t leaves) {
   REQUIRE(scalar);
   CHECK(scalar->leaf_count() == leaves);
   test::for_each_path([&](batch::path p) {
-    const auto lanes = voxelize_in_lanes(f.surface(), domain, 5, p);
-    REQUIRE(lanes);
-    CHECK(lanes->leaf_count() == leaves);
-    CHECK(*lanes == *scalar);
+    const auto by_lanes = voxelize_in_lanes(f.surface(), domain, 5, p);
+    REQUIRE(by_lanes);
+    CHECK(by_lanes->leaf_count() == leaves);
+    CHECK(*by_lanes == *scalar);
   });
 }
 
@@ -67,10 +67,10 @@ TEST_CASE("octree.twins: a point beside a turn of a polynomial is as tight on ev
   }
   CHECK(wrong == 0);
   test::for_each_path([&](batch::path p) {
-    const auto lanes = lane_certified_traversal<formula_surface>::make(f.surface(), domain, p);
-    REQUIRE(lanes);
+    const auto by_lanes = lane_certified_traversal<formula_surface>::make(f.surface(), domain, p);
+    REQUIRE(by_lanes);
     std::vector<certified_hit> hits(rays.size());
-    lanes->first_hits(rays, hits);
+    by_lanes->first_hits(rays, hits);
     CHECK(std::equal(hits.begin(), hits.end(), wanted.begin()));
   });
 }

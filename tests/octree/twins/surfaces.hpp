@@ -2,23 +2,12 @@
 /// The surfaces of which twins are compared: those of the scenes, a formula for every operation of
 /// the tape, and random ones.
 #include "../surface_scenes.hpp"
-#include <graze/octree/asterisk.hpp>
 #include <graze/octree_formula.hpp>
 #include <graze/oracle/formula_tree.hpp>
 #include <string>
 #include <vector>
 
 namespace graze::twins {
-
-/// Calls check(name, surface) for each surface whose kernels are compiled.
-template <class Check> void for_each_scene(Check check) {
-  check("spheres", octree::spheres{});
-  check("quartdef", octree::quartdef{});
-  check("tanglecube", octree::tanglecube{});
-  check("holesrot", octree::holesrot{});
-  check("asterisk(3,4)", octree::asterisk<3, 4>{});
-  check("asterisk(9,18)", octree::asterisk<9, 18>{});
-}
 
 /// A formula for every operation of the tape: by itself, of a product, and beside others.
 inline std::vector<std::string> operation_texts() {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <fstream>
+#include <graze/octree/surfaces.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <graze/octree_file.hpp>
 #include <zlib.h>

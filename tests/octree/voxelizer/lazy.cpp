@@ -19,7 +19,7 @@ using method = sound<rounding::upward, convention::owned>;
 
 struct seen_leaf {
   cube cell;
-  content what;
+  content kind;
   friend bool operator==(const seen_leaf&, const seen_leaf&) = default;
 };
 
@@ -28,7 +28,7 @@ template <class T> std::vector<seen_leaf> leaves_on(const T& tree, const std::ve
   std::vector<seen_leaf> seen;
   const method::scope scope;
   for (const ray& r : rays)
-    descend(method(r), tree.box(), tree.level(), tree,
+    descend(method(r), tree.root_octant(), tree.level(), tree,
             [&](const cube& cell, const auto& n, const auto&) {
               seen.push_back({cell, tree.leaf(n)});
               return false;
@@ -89,9 +89,9 @@ TEST_CASE("octree.lazy: rays meet the eager octree's leaves, in order", "[proper
 TEST_CASE("octree.lazy: the judge is asked in its own scope, the caller's mode stays", "[unit]") {
   const lazy_octree<judge_of_modes> lazy(judge_of_modes{}, *root_cube::make({{0, 0, 0}, 1}, 2));
   const unsigned before = _mm_getcsr();
-  CHECK(lazy.child_mask(lazy.root(), lazy.box(), 0x7f) == 0x7f);
+  CHECK(lazy.child_mask(lazy.root(), lazy.root_octant(), 0x7f) == 0x7f);
   const auto child = lazy.child(lazy.root(), 5);
-  CHECK(lazy.child_mask(child, lazy.box().child(5), 0xff) == 0xff);
+  CHECK(lazy.child_mask(child, lazy.root_octant().child(5), 0xff) == 0xff);
   CHECK(lazy.leaf(lazy.child(child, 3)) == content::certified);
   CHECK(lazy.leaf(lazy.child(child, 4)) == content::possible);
   CHECK(_mm_getcsr() == before);

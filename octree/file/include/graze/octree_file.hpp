@@ -30,9 +30,10 @@ struct described_octree {
 };
 
 inline constexpr std::uint32_t octree_file_version = 1;
+inline constexpr std::size_t longest_description = 65536; ///< bytes
 
 /// The bytes of a file. The same octree and description give the same bytes. Refuses a description
-/// of more than 65536 bytes.
+/// that is longer than longest_description.
 [[nodiscard]] expected<std::vector<unsigned char>> encode_octree(const sparse_octree& octree,
                                                                  const std::string& description);
 

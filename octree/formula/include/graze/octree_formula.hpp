@@ -85,6 +85,8 @@ public:
                                                std::size_t* column = nullptr);
 
   [[nodiscard]] formula_surface surface() const { return formula_surface(*program_); }
+  /// What was parsed.
+  [[nodiscard]] const std::string& text() const { return program_->text; }
 
 private:
   explicit formula(std::shared_ptr<const tape::program> p) : program_(std::move(p)) {}

@@ -9,13 +9,13 @@ const voxel_rays_table& voxel_rays_kernels() {
   return GRAZE_ALL_PATHS(voxel_rays_table, voxel_rays).on(batch::path_in_use());
 }
 
-void prepare(voxel_rays_state& s, const voxel_set& set, convention what, exactness how,
+void prepare(voxel_rays_state& s, const voxel_set& set, convention reported, exactness degree,
              const ray_segment& segment, bool soonest) {
   // sizes may be subnormal
   const rounding::hardware::mode_scope scope(rounding::hardware::mode::nearest);
   s.masks = set.masks();
   s.firsts = set.firsts();
-  const cube& root = set.root().box();
+  const cube& root = set.root().root_octant();
   for (unsigned a = 0; a < 3; ++a)
     s.root_lo[a] = root.lo[a];
   s.root_size = root.size;
@@ -28,8 +28,8 @@ void prepare(voxel_rays_state& s, const voxel_set& set, convention what, exactne
   }
   s.first = segment.first();
   s.last = segment.last();
-  s.owned = what == convention::owned;
-  s.exact = how == exactness::exact;
+  s.owned = reported == convention::owned;
+  s.exact = degree == exactness::exact;
   s.most_queued = soonest ? 64 : voxel_rays_state::queue;
 }
 

@@ -51,10 +51,10 @@ GRAZE_BATCH_INLINE void scaled(double c_down, double c_up, double m, double of_p
 
 /// Scales a direction that is not ordinary; returns the factor of the ray's parameter.
 [[gnu::noinline, gnu::cold]] double scale(double* direction) {
-  const scaling by = scaling_of(direction[0], direction[1], direction[2]);
+  const scaling factors = scaling_of(direction[0], direction[1], direction[2]);
   for (unsigned a = 0; a < 3; ++a)
-    direction[a] *= by.of_direction;
-  return by.of_parameter;
+    direction[a] *= factors.of_direction;
+  return factors.of_parameter;
 }
 
 template <class P> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& s) {

@@ -38,7 +38,7 @@ inline constexpr int most_reflections = 5;
 struct settings {
   extent size = 512;
   unsigned threads = 1; ///< at least 1
-  mode how = mode::cast;
+  render::mode mode = render::mode::cast;
   /// Rays a pixel, side^2 of them: side 1..16. Ray (i, j) of a pixel is that through the centre of
   /// the pixel of a picture with side times the size. What is known of a pixel beside its colour is
   /// always that of its centre.
@@ -99,7 +99,7 @@ using progress_report = std::function<void(std::uint64_t, std::uint64_t, double)
 /// undecided has undecided_colour and the depth of its t_near; a reflected ray that is undecided
 /// brings undecided_colour, a shadow ray no shadow. Where `stop` becomes true, tiles not yet begun
 /// stay unfinished_colour.
-rendering render_picture(const scene& s, const caster& work, const settings& how,
+rendering render_picture(const scene& s, const caster& surface, const settings& chosen,
                          const std::atomic<bool>* stop = nullptr,
                          const progress_report& report = {});
 

@@ -5,11 +5,13 @@
 #include <graze/expected.hpp>
 #include <graze/octree/box.hpp>
 #include <graze/octree/surface_traversal.hpp>
+#include <graze/octree_formula.hpp>
 #include <graze/render/camera.hpp>
 #include <graze/render/secondary.hpp>
 #include <graze/render/shading.hpp>
 #include <graze/support/status.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,8 +34,6 @@ public:
   /// departures as hits.
   virtual void depart(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
                       std::span<departure> departures) const = 0;
-  /// Which of the scene's objects the surface belongs to near `point`.
-  virtual std::size_t object_at(const vec3& point) const = 0;
   /// Leaves of the octree in which the surface may be; 0 where there is none.
   virtual std::uint64_t octree_leaves() const = 0;
 };
@@ -41,14 +41,14 @@ public:
 /// A part of the surface that has its own material.
 struct object {
   std::string name;
-  std::string formula; ///< its text; what it is, for a surface that is built in
+  std::optional<octree::formula> formula; ///< none where the surface is built in
   material look;
 };
 
 /// What is made of the objects f_i <= 0: one of them, or a combination of other solids.
 struct solid {
   enum class kind : std::uint8_t { single, unite, intersect, subtract };
-  kind how = kind::single;
+  kind form = kind::single;
   std::size_t single = 0;   ///< index of the object
   std::vector<solid> parts; ///< two or more; of `subtract` the first, less the others
 };
@@ -72,13 +72,16 @@ enum class method : std::uint8_t {
 };
 
 /// Makes the octree, if the method has one, and the traversal. Refuses, with the reason, levels
-/// outside of 1..53, formulas that do not parse, and a scene of which it is proven that there is no
-/// surface in the domain.
+/// outside of 1..53, and what with_surface (scene_surface.hpp) refuses.
 expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int levels,
-                                          method by = method::descent);
+                                          method search = method::descent);
 
-/// f = 0 is the surface of the whole: min for a union, max for an intersection.
-std::string formula_of(const scene& s);
+/// The text of the whole, of which f = 0 is the surface: min for a union, max for an intersection.
+/// For a surface that is built in, what it is.
+std::string formula_text(const scene& s);
+
+/// Which of the scene's objects the surface belongs to near `point`.
+std::size_t object_at(const scene& s, const vec3& point);
 
 /// The camera and the lights that show a domain: those of the six scenes, at the scale that fits,
 /// about its middle.
@@ -88,7 +91,7 @@ std::vector<light> fitting_lights(const octree::box& domain);
 /// Whether something can be seen in a domain: it is not empty, and finite.
 support::status check_domain(const octree::box& domain);
 
-/// The six scenes (docs/definitions.md) that are built in.
+/// A scene for each surface that is built in (graze/octree/surfaces.hpp).
 std::span<const scene> scenes();
 /// nullptr where there is none of this name.
 const scene* find_scene(std::string_view name);

@@ -50,12 +50,12 @@ bool continuous_on(opcode op, const bounds& a, const bounds& b, int n);
 /// numbers that enclose nothing.
 template <class N> struct continuity {
   static constexpr unsigned everywhere = 0;
-  static unsigned of(opcode, const N&, const N&, int) { return everywhere; }
+  static unsigned bits(opcode, const N&, const N&, int) { return everywhere; }
 };
 template <class Policies> struct continuity<boost::numeric::interval<double, Policies>> {
   using interval = boost::numeric::interval<double, Policies>;
   static constexpr unsigned everywhere = 1;
-  static unsigned of(opcode op, const interval& a, const interval& b, int n) {
+  static unsigned bits(opcode op, const interval& a, const interval& b, int n) {
     return continuous_on(op, to_bounds(a), to_bounds(b), n) ? 1 : 0;
   }
   /// The value, or 1 where there is none; see formula_surface.

@@ -19,7 +19,7 @@ template <class N, std::size_t P> struct operations<dual<N, P>> {
       p = o::number({0, 0, 0});
     return r;
   }
-  static N one() { return o::number({1, 1, 1}); }
+  static N unit() { return o::number({1, 1, 1}); }
 
   static d chain(const N& value, const N& slope, const d& x) {
     return x.map(value, [&](const N& p) { return slope * p; });
@@ -76,7 +76,7 @@ template <class N, std::size_t P> struct operations<dual<N, P>> {
   }
   static d pow(const d& x, const d& y) {
     const N value = o::pow(x.value, y.value);
-    const N slope_x = o::known(y.value * o::pow(x.value, y.value - one()));
+    const N slope_x = o::known(y.value * o::pow(x.value, y.value - unit()));
     return chain(value, slope_x, x, o::known(value * o::log(x.value)), y);
   }
   /// The slopes of a length are in [-1, 1], at the origin too.
@@ -116,17 +116,17 @@ template <class N, std::size_t P> struct operations<dual<N, P>> {
     return chain(o::log10(x.value), o::known(o::recip(x.value * log_of_10())), x);
   }
   static d logp1(const d& x) {
-    return chain(o::logp1(x.value), o::known(o::recip(one() + x.value)), x);
+    return chain(o::logp1(x.value), o::known(o::recip(unit() + x.value)), x);
   }
   static d sin(const d& x) { return chain(o::sin(x.value), o::cos(x.value), x); }
   static d cos(const d& x) { return chain(o::cos(x.value), -o::sin(x.value), x); }
   static d tan(const d& x) {
     const N value = o::tan(x.value);
-    return chain(value, one() + sqr(value), x);
+    return chain(value, unit() + sqr(value), x);
   }
   static d cot(const d& x) {
     const N value = o::cot(x.value);
-    return chain(value, -(one() + sqr(value)), x);
+    return chain(value, -(unit() + sqr(value)), x);
   }
   static d sec(const d& x) {
     const N value = o::sec(x.value);
@@ -137,15 +137,15 @@ template <class N, std::size_t P> struct operations<dual<N, P>> {
     return chain(value, o::known(-(value * o::cot(x.value))), x);
   }
   /// 1 - t^2 = (1 - t) (1 + t), whose factors are tight.
-  static N product_beside_one(const N& t) { return (one() - t) * (one() + t); }
+  static N product_beside_one(const N& t) { return (unit() - t) * (unit() + t); }
   static d asin(const d& x) {
     return chain(o::asin(x.value), o::known(o::recip(o::sqrt(product_beside_one(x.value)))), x);
   }
   static d acos(const d& x) {
     return chain(o::acos(x.value), -o::known(o::recip(o::sqrt(product_beside_one(x.value)))), x);
   }
-  static d atan(const d& x) { return chain(o::atan(x.value), o::recip(one() + sqr(x.value)), x); }
-  static d acot(const d& x) { return chain(o::acot(x.value), -o::recip(one() + sqr(x.value)), x); }
+  static d atan(const d& x) { return chain(o::atan(x.value), o::recip(unit() + sqr(x.value)), x); }
+  static d acot(const d& x) { return chain(o::acot(x.value), -o::recip(unit() + sqr(x.value)), x); }
   static d sinh(const d& x) { return chain(o::sinh(x.value), o::cosh(x.value), x); }
   static d cosh(const d& x) { return chain(o::cosh(x.value), o::sinh(x.value), x); }
   static d tanh(const d& x) { return chain(o::tanh(x.value), sqr(o::sech(x.value)), x); }
@@ -159,7 +159,7 @@ template <class N, std::size_t P> struct operations<dual<N, P>> {
     return chain(value, o::known(-(value * o::coth(x.value))), x);
   }
   static d asinh(const d& x) {
-    return chain(o::asinh(x.value), o::recip(o::hypot(one(), x.value)), x);
+    return chain(o::asinh(x.value), o::recip(o::hypot(unit(), x.value)), x);
   }
   static d acosh(const d& x) {
     return chain(o::acosh(x.value), o::known(o::recip(o::sqrt(-product_beside_one(x.value)))), x);

@@ -11,12 +11,12 @@ namespace detail {
 template <class N> struct value_type {
   using type = N;
   static constexpr bool is_dual = false;
-  static const N& of(const N& x) { return x; }
+  static const N& value(const N& x) { return x; }
 };
 template <class N, std::size_t P> struct value_type<dual<N, P>> {
   using type = N;
   static constexpr bool is_dual = true;
-  static const N& of(const dual<N, P>& x) { return x.value; }
+  static const N& value(const dual<N, P>& x) { return x.value; }
 };
 /// Written before it is read; not initialized, since few of many are used.
 template <class N> union register_slot {
@@ -52,7 +52,7 @@ outcome<N> run(const program& p, const N& x, const N& y, const N& z) {
     N& to = r[i->target].number;
     if constexpr (Track) {
       if (!continuous_everywhere(i->op, i->n))
-        continuous &= where::of(i->op, part::of(a), part::of(b), i->n);
+        continuous &= where::bits(i->op, part::value(a), part::value(b), i->n);
     }
     const auto number = [&] {
       return operations<typename part::type>::number(p.constants.data()[i->n]);

@@ -26,9 +26,9 @@ struct polynomial_view {
   std::uint32_t turn_count;
 };
 GRAZE_BATCH_INLINE polynomial_view view(const program& p, std::uint32_t index) {
-  const polynomial& of = p.polynomials.data()[index];
-  return {p.constants.data() + of.first_coefficient, of.degree, p.turns.data() + of.first_turn,
-          of.turns};
+  const polynomial& entry = p.polynomials.data()[index];
+  return {p.constants.data() + entry.first_coefficient, entry.degree,
+          p.turns.data() + entry.first_turn, entry.turns};
 }
 
 template <class N> struct operations;
@@ -204,7 +204,7 @@ template <class P> struct tape_lanes {
 template <class I> struct interval_operations {
   using path = typename lanewise<I>::path;
   using formulas = batch::formulas<path>;
-  using lanes = tape_lanes<path>;
+  using per_lane = tape_lanes<path>;
   template <auto Operation, class... Operands>
   static GRAZE_BATCH_INLINE I each(const Operands&... x) {
     return lanewise<I>::template apply<Operation>(x...);
@@ -220,15 +220,15 @@ template <class I> struct interval_operations {
   /// By its monotone pieces: the range runs between the values at x's ends and in the turns that x
   /// meets.
   static I polynomial(const polynomial_view& p, const I& x) {
-    const I first = horner(p, each<&lanes::lower_end>(x));
-    if (lanewise<I>::template everywhere<&lanes::is_point>(x))
-      return each<&lanes::between>(x, first, first);
-    const I last = horner(p, each<&lanes::upper_end>(x));
-    I r = each<&lanes::between>(x, first, last);
-    const I stretch = each<&lanes::stretch>(x);
+    const I first = horner(p, each<&per_lane::lower_end>(x));
+    if (lanewise<I>::template everywhere<&per_lane::is_point>(x))
+      return each<&per_lane::between>(x, first, first);
+    const I last = horner(p, each<&per_lane::upper_end>(x));
+    I r = each<&per_lane::between>(x, first, last);
+    const I stretch = each<&per_lane::stretch>(x);
     for (std::uint32_t i = 0; i < p.turn_count; ++i) {
       const turn& t = p.turns[i];
-      r = each<&lanes::turned>(stretch, r, I(t.lo, t.hi), I(t.least, t.greatest));
+      r = each<&per_lane::turned>(stretch, r, I(t.lo, t.hi), I(t.least, t.greatest));
     }
     return r;
   }
@@ -236,14 +236,16 @@ template <class I> struct interval_operations {
   // For derivatives.
 
   /// A slope, or what is known of one that nothing is known of.
-  static GRAZE_BATCH_INLINE I known(const I& slope) { return each<&lanes::known>(slope); }
+  static GRAZE_BATCH_INLINE I known(const I& slope) { return each<&per_lane::known>(slope); }
   /// A slope that is known to be in [-1, 1].
-  static GRAZE_BATCH_INLINE I within_one(const I& slope) { return each<&lanes::within_one>(slope); }
+  static GRAZE_BATCH_INLINE I within_one(const I& slope) {
+    return each<&per_lane::within_one>(slope);
+  }
   /// The slopes of |x|.
-  static GRAZE_BATCH_INLINE I abs_slope(const I& x) { return each<&lanes::abs_slope>(x); }
+  static GRAZE_BATCH_INLINE I abs_slope(const I& x) { return each<&per_lane::abs_slope>(x); }
   /// Of what has one value where a <= b for sure and another where b <= a: both where neither is.
   static GRAZE_BATCH_INLINE I of_lesser(const I& a, const I& b, const I& if_a, const I& if_b) {
-    return each<&lanes::of_lesser>(a, b, if_a, if_b);
+    return each<&per_lane::of_lesser>(a, b, if_a, if_b);
   }
 };
 

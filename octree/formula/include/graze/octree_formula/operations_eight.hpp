@@ -81,13 +81,13 @@ private:
 template <class Path> struct continuity<interval8<Path>> {
   using I = interval8<Path>;
   static constexpr unsigned everywhere = 0xff;
-  static unsigned of(opcode op, const I& a, const I& b, int n) {
+  static unsigned bits(opcode op, const I& a, const I& b, int n) {
     const detail::eight_bounds first(a), second(b);
-    unsigned lanes = 0;
+    unsigned mask = 0;
     for (unsigned i = 0; i < 8; ++i)
       if (continuous_on(op, first.lane(i), second.lane(i), n))
-        lanes |= 1u << i;
-    return lanes;
+        mask |= 1u << i;
+    return mask;
   }
   static GRAZE_BATCH_INLINE I defined(const I& x) {
     return I::template lanewise<&detail::tape_lanes<Path>::defined>(x);

@@ -3,6 +3,7 @@
 /// and without anything that depends on the number type over which it is run (evaluate.hpp).
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 /// The functions of one variable that graze::functions has under the same names.
@@ -99,6 +100,7 @@ struct polynomial {
 /// A tape with all that it refers to.
 struct program {
   static constexpr unsigned most_registers = 128;
+  std::string text; ///< of which it was compiled
   std::vector<instruction> code;
   std::vector<tape::constant> constants;
   std::vector<tape::polynomial> polynomials;

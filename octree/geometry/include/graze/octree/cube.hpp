@@ -51,28 +51,28 @@ public:
   /// too).
   [[nodiscard]] static expected<root_cube> make(const cube& box, int level);
 
-  [[nodiscard]] const cube& box() const { return box_; }
+  [[nodiscard]] const cube& root_octant() const { return cube_; }
   [[nodiscard]] int level() const { return level_; }
 
   /// The octant at `index` (0 <= index[a] < 2^level) of `level`. Exact, since it counts from the
   /// middle: lo + index * size would round on some roots ([-3,3]^3 at level 52).
   /// Proof: proofs/coq/Root_cube.v, octant_from_middle.
   [[nodiscard]] cube octant(const std::array<std::uint64_t, 3>& index, int level) const {
-    const double size = std::ldexp(box_.size, -level);
+    const double size = std::ldexp(cube_.size, -level);
     if (level == 0)
-      return box_;
+      return cube_;
     cube result{{}, size};
     const auto half = std::int64_t{1} << (level - 1);
     for (int axis = 0; axis < 3; ++axis)
-      result.lo[axis] = box_.mid(axis) +
+      result.lo[axis] = cube_.mid(axis) +
                         static_cast<double>(static_cast<std::int64_t>(index[axis]) - half) * size;
     return result;
   }
 
 private:
   [[nodiscard]] static expected<root_cube> make_within_scope(const cube& box, int level);
-  root_cube(const cube& box, int level) : box_(box), level_(level) {}
-  cube box_;
+  root_cube(const cube& whole, int level) : cube_(whole), level_(level) {}
+  cube cube_;
   int level_;
 };
 

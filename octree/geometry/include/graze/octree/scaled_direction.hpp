@@ -58,11 +58,11 @@ struct scaling {
 
 /// The direction times its scaling, exactly.
 [[gnu::always_inline]] inline vec3 scaled_direction(const vec3& d) {
-  const double by = scaling_of(d[0], d[1], d[2]).of_direction;
+  const double factor = scaling_of(d[0], d[1], d[2]).of_direction;
   // the jump of scaling_of: an ordinary ray waits for no product
-  if (by == 1) [[likely]]
+  if (factor == 1) [[likely]]
     return d;
-  return {d[0] * by, d[1] * by, d[2] * by};
+  return {d[0] * factor, d[1] * factor, d[2] * factor};
 }
 
 } // namespace graze::octree

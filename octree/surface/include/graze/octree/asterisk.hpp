@@ -18,7 +18,7 @@
 
 #include <cmath>
 #include <graze/octree/dual.hpp>
-#include <graze/octree/surfaces.hpp>
+#include <graze/octree/surface.hpp>
 #include <limits>
 
 namespace graze::octree {
@@ -118,7 +118,7 @@ private:
 
 /// Intervals and eight intervals.
 template <class I> struct angular_intervals {
-  using lanes = angular_lanes<typename lanewise<I>::path>;
+  using per_lane = angular_lanes<typename lanewise<I>::path>;
   using formulas = batch::formulas<typename lanewise<I>::path>;
   template <auto Operation, class... Operands>
   static GRAZE_BATCH_INLINE I each(const Operands&... x) {
@@ -130,7 +130,7 @@ template <class I> struct angular_intervals {
   static GRAZE_BATCH_INLINE I root(const I& x) { return sqrt(x); }
   static GRAZE_BATCH_INLINE I reciprocal(const I& x) { return I(1.0) / x; }
   static GRAZE_BATCH_INLINE I limited(const I& x, const I& limit) {
-    return each<&lanes::limited>(x, limit);
+    return each<&per_lane::limited>(x, limit);
   }
 
   /// z / sqrt(z^2 + rho^2), rho >= 0: the cosine of the angle from +z, which falls with it.
@@ -140,7 +140,7 @@ template <class I> struct angular_intervals {
     corner(z, rho, false, u, v);
     corner(z, rho, true, p, q);
     const I nowhere = constants<I>::exact(-1);
-    return each<&lanes::between>(at(u, v), at(p, q), nowhere, nowhere);
+    return each<&per_lane::between>(at(u, v), at(p, q), nowhere, nowhere);
   }
   /// rho >= 0; the direction is between +z and +rho. It is within the box's angles, and 1 is
   /// reached, if it is not nearer to +z than the first corner, nor further than the last; the first
@@ -151,26 +151,26 @@ template <class I> struct angular_intervals {
     I u, v, p, q;
     corner(z, rho, false, u, v);
     corner(z, rho, true, p, q);
-    return each<&lanes::between>((u * c + v * s) / root(sqr(u) + sqr(v)),
-                                 (p * c + q * s) / root(sqr(p) + sqr(q)), u * s - v * c,
-                                 p * s - q * c);
+    return each<&per_lane::between>((u * c + v * s) / root(sqr(u) + sqr(v)),
+                                    (p * c + q * s) / root(sqr(p) + sqr(q)), u * s - v * c,
+                                    p * s - q * c);
   }
   /// T_3 rises to 1 at -1/2, falls to -1 at 1/2, and rises.
   static I third(const I& t) {
-    const I a = each<&lanes::lower_end>(t), b = each<&lanes::upper_end>(t);
+    const I a = each<&per_lane::lower_end>(t), b = each<&per_lane::upper_end>(t);
     const I three = constants<I>::exact(3);
     const auto at = [&](const I& x) {
       const I y = x + x;
       return x * (sqr(y) - three);
     };
-    return each<&lanes::turned>(t, at(a), at(b));
+    return each<&per_lane::turned>(t, at(a), at(b));
   }
 
 private:
   /// The corner (u, v) of the box at which the angle from +z is least or, `far`, greatest.
   static GRAZE_BATCH_INLINE void corner(const I& z, const I& rho, bool far, I& u, I& v) {
-    u = far ? each<&lanes::lower_end>(z) : each<&lanes::upper_end>(z);
-    v = far ? each<&lanes::far_rho>(z, rho) : each<&lanes::near_rho>(z, rho);
+    u = far ? each<&per_lane::lower_end>(z) : each<&per_lane::upper_end>(z);
+    v = far ? each<&per_lane::far_rho>(z, rho) : each<&per_lane::near_rho>(z, rho);
   }
 };
 } // namespace detail
@@ -186,6 +186,7 @@ template <int M, int N> struct asterisk {
   /// The factors' enclosures are tight. The mean value form leaves out 9 to 14 % of the octants and
   /// costs twice the time (graze-inclusion-bench).
   static constexpr bool natural_extension_suffices = true;
+  static constexpr bool is_algebraic = false;
 
   template <class T> T operator()(const T& x, const T& y, const T& z) const {
     if constexpr (!requires { sizeof(angular<T>); })

@@ -66,8 +66,8 @@ template <class Path> struct eight_lanes {
   GRAZE_LANES unsigned less_equal(const number& x, const number& y) {
     return number::less_equal(x, y);
   }
-  GRAZE_LANES number chosen(unsigned lanes, const number& q, const number& p) {
-    return octree::chosen(lanes & 0xff, q, p);
+  GRAZE_LANES number chosen(unsigned mask, const number& q, const number& p) {
+    return octree::chosen(mask & 0xff, q, p);
   }
 #undef GRAZE_LANES
 };

@@ -66,7 +66,7 @@ template <rounding::Backend B> struct one_lane {
   static unsigned less(number x, number y) { return x < y ? 1 : 0; }
   static unsigned less_equal(number x, number y) { return x <= y ? 1 : 0; }
   /// q in the lanes of the mask, p in the others.
-  static number chosen(unsigned lanes, number q, number p) { return lanes != 0 ? q : p; }
+  static number chosen(unsigned mask, number q, number p) { return mask != 0 ? q : p; }
 };
 
 /// A ray in each lane, on its way from the domain's entry to its exit. Within a scope of the lanes.

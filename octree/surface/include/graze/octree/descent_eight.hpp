@@ -24,7 +24,7 @@ namespace graze::octree {
 template <class Path, convention C, class F> class eight_descent {
 public:
   using method_type = sound_eight<Path, C>;
-  using lanes = octet<Path>;
+  using numbers = octet<Path>;
 
   // not all is initialized: a frame is written before it is read
   GRAZE_BATCH_INLINE eight_descent(const ray& r, const F& f, const box& domain,
@@ -33,7 +33,7 @@ public:
 
   /// Whether the ray passes the root; only then steps may be taken.
   GRAZE_BATCH_INLINE bool enter() {
-    const cube& root = octree_.box();
+    const cube& root = octree_.root_octant();
     corner_ = method_type::corner(root);
     half_ = root.size / 2;
     node_ = octree_.root();
@@ -51,8 +51,9 @@ public:
       return false;
     }
     ++opened_;
-    const unsigned present =
-        depth_ < octree_.level() ? octree_.child_mask(node_, octree_.box(), 0xff) : evaluated(h);
+    const unsigned present = depth_ < octree_.level()
+                                 ? octree_.child_mask(node_, octree_.root_octant(), 0xff)
+                                 : evaluated(h);
     // the order of visits numbers a child by its index XOR the nearest one's
     unsigned pending = reordered(h.passed, h.nearest) & reordered(present, h.nearest ^ mirror);
     if (depth_ + 1 == level_) [[unlikely]] {
@@ -105,7 +106,7 @@ public:
 
 private:
   struct frame {
-    lanes corner, mid, at, at_mid;
+    numbers corner, mid, at, at_mid;
     double half;
     sparse_octree::node node;
     unsigned nearest;
@@ -134,7 +135,7 @@ private:
   const box& domain_;
   const sparse_octree& octree_;
   int level_, depth_ = 0;
-  lanes corner_, at_;
+  numbers corner_, at_;
   double half_;
   sparse_octree::node node_;
   bool within_ = false, stopped_ = false;

@@ -10,7 +10,7 @@
 #include <graze/octree/box.hpp>
 #include <graze/octree/children.hpp>
 #include <graze/octree/dual.hpp>
-#include <graze/octree/surfaces.hpp>
+#include <graze/octree/surface.hpp>
 
 namespace graze::octree {
 

@@ -7,28 +7,28 @@
 #include <graze/octree/eight.hpp>
 #include <graze/octree/inclusion.hpp>
 #include <graze/octree/octet.hpp>
-#include <graze/octree/surfaces.hpp>
+#include <graze/octree/surface.hpp>
 #include <utility>
 
 namespace graze::octree {
 
 /// Eight closed boxes; lane i is child i.
 template <class Path> struct eight_boxes {
-  using lanes = octet<Path>;
-  lanes lo[3], hi[3];
+  using numbers = octet<Path>;
+  numbers lo[3], hi[3];
 
   /// The children of the octant with this lower corner and mid-planes (lanes 0 to 2: x, y, z).
-  static GRAZE_BATCH_INLINE eight_boxes children(const lanes& corner, const lanes& mid,
+  static GRAZE_BATCH_INLINE eight_boxes children(const numbers& corner, const numbers& mid,
                                                  double half) {
-    const lanes far = lanes::add_up(mid, lanes::broadcast(half)); // exact in a root_cube
+    const numbers far = numbers::add_up(mid, numbers::broadcast(half)); // exact in a root_cube
     return {{spread<0, 0>(corner, mid), spread<1, 1>(corner, mid), spread<2, 2>(corner, mid)},
             {spread<0, 0>(mid, far), spread<1, 1>(mid, far), spread<2, 2>(mid, far)}};
   }
   /// The eight corners of one octant.
-  static GRAZE_BATCH_INLINE eight_boxes corners(const lanes& corner, double size) {
-    const lanes far = lanes::add_up(corner, lanes::broadcast(size));
-    const lanes x = spread<0, 0>(corner, far), y = spread<1, 1>(corner, far),
-                z = spread<2, 2>(corner, far);
+  static GRAZE_BATCH_INLINE eight_boxes corners(const numbers& corner, double size) {
+    const numbers far = numbers::add_up(corner, numbers::broadcast(size));
+    const numbers x = spread<0, 0>(corner, far), y = spread<1, 1>(corner, far),
+                  z = spread<2, 2>(corner, far);
     return {{x, y, z}, {x, y, z}};
   }
 
@@ -36,17 +36,17 @@ template <class Path> struct eight_boxes {
   template <class Box> GRAZE_BATCH_INLINE unsigned cut(const Box& domain) {
     unsigned nothing = 0;
     for (int a = 0; a < 3; ++a) {
-      lo[a] = lanes::max(lanes::broadcast(domain.lo[a]), lo[a]);
-      hi[a] = lanes::min(lanes::broadcast(domain.hi[a]), hi[a]);
-      nothing |= lanes::less(hi[a], lo[a]);
+      lo[a] = numbers::max(numbers::broadcast(domain.lo[a]), lo[a]);
+      hi[a] = numbers::min(numbers::broadcast(domain.hi[a]), hi[a]);
+      nothing |= numbers::less(hi[a], lo[a]);
     }
     return nothing;
   }
 
   [[nodiscard]] GRAZE_BATCH_INLINE interval8<Path> axis(int a) const {
-    batch::part<Path> p[lanes::count];
+    batch::part<Path> p[numbers::count];
 #pragma GCC unroll 8
-    for (std::size_t i = 0; i < lanes::count; ++i)
+    for (std::size_t i = 0; i < numbers::count; ++i)
       p[i] = {lo[a].part[i], hi[a].part[i]};
     return interval8<Path>::of(p);
   }

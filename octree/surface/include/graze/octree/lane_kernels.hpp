@@ -3,7 +3,7 @@
 /// instructions that the processor has: the results of surface_traversal, certified_traversal and
 /// voxelize, bit for bit, sooner.
 ///
-/// The kernels of the scenes' surfaces (surfaces.hpp, asterisk.hpp) are in graze::octree. For a
+/// The kernels of the surfaces that are built in (surfaces.hpp) are in graze::octree. For a
 /// surface of one's own: a file for each path, compiled for its instructions, that defines a table
 /// by make_lane_kernels (lane_kernels_of_path.hpp), and a specialization of lane_kernels_of that
 /// chooses among them; octree/surface/src/lanes is the model.
@@ -11,13 +11,14 @@
 
 #include <cassert>
 #include <graze/batch.hpp>
-#include <graze/octree/asterisk.hpp>
 #include <graze/octree/certified_hit.hpp>
 #include <graze/octree/surface_traversal.hpp>
+#include <graze/octree/surfaces.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/upward.hpp>
 #include <span>
+#include <tuple>
 
 namespace graze::octree {
 
@@ -40,14 +41,19 @@ template <Surface F> struct lane_kernels {
                                             int level, int last_level, sparse_octree::builder&);
 };
 
-/// The path's kernels. The path must run here (batch::refusal).
-template <Surface F> const lane_kernels<F>& lane_kernels_of(batch::path p);
-template <> const lane_kernels<spheres>& lane_kernels_of<spheres>(batch::path p);
-template <> const lane_kernels<quartdef>& lane_kernels_of<quartdef>(batch::path p);
-template <> const lane_kernels<tanglecube>& lane_kernels_of<tanglecube>(batch::path p);
-template <> const lane_kernels<holesrot>& lane_kernels_of<holesrot>(batch::path p);
-template <> const lane_kernels<asterisk<3, 4>>& lane_kernels_of<asterisk<3, 4>>(batch::path p);
-template <> const lane_kernels<asterisk<9, 18>>& lane_kernels_of<asterisk<9, 18>>(batch::path p);
+namespace detail {
+template <class... F>
+std::tuple<lane_kernels<F>...> kernels_of(const std::tuple<built_in_surface<F>...>&);
+/// The kernels of all surfaces that are built in.
+using built_in_kernels = decltype(kernels_of(built_in_surfaces));
+const built_in_kernels& built_in_kernels_of(batch::path p);
+} // namespace detail
+
+/// The path's kernels. The path must run here (batch::refusal). Specialized for surfaces that are
+/// not built in.
+template <Surface F> const lane_kernels<F>& lane_kernels_of(batch::path p) {
+  return std::get<lane_kernels<F>>(detail::built_in_kernels_of(p));
+}
 
 /// The scalar backend beside the kernels, whose scope serves every path: embedded rounding looks at
 /// no mode.

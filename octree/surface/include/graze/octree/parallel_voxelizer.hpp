@@ -34,7 +34,7 @@ public:
   divided_voxelization(const J& judge, const root_cube& root)
       : judge_(judge), root_(root), divided_at_(std::min(root.level() - 1, 4)) {
     [[maybe_unused]] const typename J::scope scope;
-    divide(octant(root.box()), 0);
+    divide(octant(root.root_octant()), 0);
   }
   [[nodiscard]] std::size_t count() const { return parts_.size(); }
 
@@ -163,7 +163,7 @@ template <ChildrenJudge J>
     return unexpected{"the number of threads is negative"};
   const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads)
                                               : std::thread::hardware_concurrency();
-  detail::divided_voxelization<J> work(judge, root);
+  detail::divided_voxelization<J> division(judge, root);
   const auto stopped = [&] {
     return options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
   };
@@ -171,10 +171,10 @@ template <ChildrenJudge J>
     std::atomic<std::size_t> next{0};
     std::atomic<bool> failed{false};
     const auto take_parts = [&] {
-      for (std::size_t i = next++; i < work.count() && !failed; i = next++)
+      for (std::size_t i = next++; i < division.count() && !failed; i = next++)
         task(i);
     };
-    const auto threads = static_cast<unsigned>(std::min<std::size_t>(wanted, work.count()));
+    const auto threads = static_cast<unsigned>(std::min<std::size_t>(wanted, division.count()));
     support::thread_group(threads, take_parts, [&failed] { failed = true; }).join();
   };
   std::size_t done = 0;
@@ -183,20 +183,20 @@ template <ChildrenJudge J>
   each_part([&](std::size_t i) {
     if (stopped())
       return;
-    work.build(i);
+    division.build(i);
     const std::size_t now = built.fetch_add(1) + 1;
     if (options.progress && !telling.exchange(true, std::memory_order_acquire)) {
       if (now > done)
-        options.progress(done = now, work.count());
+        options.progress(done = now, division.count());
       telling.store(false, std::memory_order_release);
     }
   });
   if (stopped())
     return unexpected{"interrupted"};
-  if (!work.arrange())
+  if (!division.arrange())
     return unexpected{detail::too_many_nodes};
-  each_part([&](std::size_t i) { work.place(i); });
-  return work.finish();
+  each_part([&](std::size_t i) { division.place(i); });
+  return division.finish();
 }
 
 } // namespace graze::octree

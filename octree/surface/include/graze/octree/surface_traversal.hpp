@@ -211,7 +211,7 @@ template <Method M> struct surface_descent {
     const continued_octree<F, B, Octree> tree(f, domain, octree);
     std::uint64_t opened = 0;
     const bool stopped = descend(
-        M(r), octree.box(), level, tree,
+        M(r), octree.root_octant(), level, tree,
         [&](const cube& cell, const auto&, const auto&) { return tree.exhausted() || visit(cell); },
         &opened);
     cells_opened += std::min(opened, most_cells_opened);
@@ -309,7 +309,7 @@ public:
   /// object. Refuses a level outside 1..53 or at which the octree's root is not exact.
   [[nodiscard]] static expected<surface_traversal> make(const F& surface, const box& domain,
                                                         const Octree& octree, int level) {
-    const expected<root_cube> root = root_cube::make(octree.box(), level);
+    const expected<root_cube> root = root_cube::make(octree.root_octant(), level);
     if (!root)
       return unexpected{root.reason()};
     return surface_traversal(surface, domain, octree, level);

@@ -1,45 +1,17 @@
 #pragma once
-/// The four algebraic surfaces of the scenes. Each formula is written once and evaluated over
-/// double, intervals, duals of both, and the oracle's numbers; in a form whose natural extension is
-/// tight: no variable occurs twice except through functions that are tight on their own.
+/// The surfaces that are built in, and the list of them. The formula of each is written once and
+/// evaluated over double, intervals, duals of both, and the oracle's numbers; in a form whose natural
+/// extension is tight: no variable occurs twice except through functions that are tight on their own.
 #include <graze/needs_cxx20.hpp>
 
 #include <array>
-#include <concepts>
+#include <graze/octree/asterisk.hpp>
+#include <graze/octree/box.hpp>
 #include <graze/octree/formula.hpp>
+#include <graze/octree/surface.hpp>
+#include <tuple>
 
 namespace graze::octree {
-
-/// A surface f(x, y, z) = 0: a callable over any number type.
-template <class F>
-concept Surface = requires(const F f, double x) {
-  { f(x, x, x) } -> std::same_as<double>;
-};
-
-/// True for a surface of which the mean value form is not asked for: the natural interval extension
-/// is its range but for rounding, or so near to it that the mean value form costs more than it
-/// saves (graze-inclusion-bench). `static constexpr bool natural_extension_suffices = true` in the
-/// surface says so. A bound holds either way.
-template <class F> consteval bool natural_extension_suffices() {
-  if constexpr (requires { F::natural_extension_suffices; })
-    return F::natural_extension_suffices;
-  return false;
-}
-/// The same of an object whose type does not know: its member natural_extension_suffices() says so.
-template <class F> bool natural_extension_suffices(const F& f) {
-  if constexpr (requires { f.natural_extension_suffices(); })
-    return f.natural_extension_suffices();
-  return natural_extension_suffices<F>();
-}
-
-/// f is defined and continuous at every point of space, as a surface is taken to be unless its
-/// member continuous() denies it. Of such a one continuous_on<B>(box) says where it is proven
-/// (inclusion.hpp, is_continuous_on); octree_formula.hpp has the rules that it must keep.
-template <class F> bool is_continuous(const F& f) {
-  if constexpr (requires { f.continuous(); })
-    return f.continuous();
-  return true;
-}
 
 /// The union of nine balls: the least of nine |p - centre|^2 - radius^2.
 /// All centres and squared radii are exact doubles.
@@ -101,5 +73,47 @@ struct holesrot {
     return cube_minus_identity(x) + cube_minus_identity(y) + cube_minus_identity(z);
   }
 };
+
+/// A surface that is built in, as docs/definitions.md has it.
+template <Surface F> struct built_in_surface {
+  const char* name;
+  const char* formula; ///< what it is, for people
+  double reach;        ///< its domain is [-reach, reach]^3
+  double scale;        ///< S, of the camera that shows it
+
+  [[nodiscard]] static constexpr F surface() { return {}; }
+  [[nodiscard]] constexpr box domain() const {
+    return {{-reach, -reach, -reach}, {reach, reach, reach}};
+  }
+};
+
+/// The surfaces that are built in. Each that is added here is compiled for every path, and is one of
+/// the surfaces of graze-render, graze-voxelize, graze-fuzz, the benchmarks and the tests.
+inline constexpr std::tuple built_in_surfaces{
+    built_in_surface<spheres>{
+        "spheres",
+        "nine spheres: (0,0,0) r 1; (1.75,0,0), (-1.75,.25,0), (0,1.75,.25), (0,-1.75,0), "
+        "(.25,0,1.75), (0,0,-1.75) r .625; (1.25,1.25,1.25), (-1.25,-1.25,1.25) r .375",
+        2.5, 1.5},
+    built_in_surface<quartdef>{"quartdef", "(x^2-1)^2+(y^2-1)^2+(z^2-1)^2-1", 1.5, 1.125},
+    built_in_surface<tanglecube>{"tanglecube", "x^4-5x^2+y^4-5y^2+z^4-5z^2+11.8", 2.5, 2},
+    built_in_surface<holesrot>{"holesrot", "x^3+y^3+z^3-x-y-z", 2, 2},
+    built_in_surface<asterisk<3, 4>>{
+        "asterisk(3,4)", "sin(3*atan2(y,x))*sin(4*atan2(hypot(x,y),z)) - hypot(hypot(x,y),z)", 1,
+        0.5},
+    built_in_surface<asterisk<9, 18>>{
+        "asterisk(9,18)", "sin(9*atan2(y,x))*sin(18*atan2(hypot(x,y),z)) - hypot(hypot(x,y),z)", 1,
+        0.5},
+};
+
+/// The row of F, which is in the list.
+template <Surface F>
+inline constexpr const built_in_surface<F>& built_in =
+    std::get<built_in_surface<F>>(built_in_surfaces);
+
+/// Calls visit(row) for each row, in the list's order.
+template <class Visit> constexpr void for_each_built_in(Visit&& visit) {
+  std::apply([&visit](const auto&... row) { (visit(row), ...); }, built_in_surfaces);
+}
 
 } // namespace graze::octree

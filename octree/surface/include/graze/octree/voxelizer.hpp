@@ -82,7 +82,7 @@ template <ChildrenJudge J>
   [[maybe_unused]] const typename J::scope scope;
   sparse_octree::builder out(root);
   const auto top =
-      detail::voxelize_below(judge, typename J::octant(root.box()), 0, root.level(), out);
+      detail::voxelize_below(judge, typename J::octant(root.root_octant()), 0, root.level(), out);
   if (out.full())
     return unexpected{detail::too_many_nodes};
   return std::move(out).finish(top);

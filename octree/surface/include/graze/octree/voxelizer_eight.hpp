@@ -15,14 +15,14 @@ namespace detail {
 /// the last register repeat the point 26.
 struct lattice_indices {
   /// Where an axis's coordinate is in the registers (x y z - X Y Z -), (far x y z ...).
-  alignas(64) long long of[3][32];
+  alignas(64) long long index[3][32];
 };
 consteval lattice_indices make_lattice_indices() {
   lattice_indices r{};
   for (int k = 0; k < 32; ++k) {
     const int point = k < 27 ? k : 26, digits[3] = {point % 3, point / 3 % 3, point / 9};
     for (int a = 0; a < 3; ++a)
-      r.of[a][k] = 4 * digits[a] + a;
+      r.index[a][k] = 4 * digits[a] + a;
   }
   return r;
 }
@@ -32,9 +32,9 @@ inline constexpr lattice_indices indices_of_lattice = make_lattice_indices();
 template <class Path, class F>
 GRAZE_BATCH_INLINE eight_signs lattice_signs(const F& f, const octet<Path>& corner,
                                              const octet<Path>& mid, double half) {
-  using lanes = octet<Path>;
-  const lanes far = lanes::add_up(mid, lanes::broadcast(half));
-  const lanes near = chosen(0x70, mid, corner);
+  using numbers = octet<Path>;
+  const numbers far = numbers::add_up(mid, numbers::broadcast(half));
+  const numbers near = chosen(0x70, mid, corner);
   eight_signs s{0, 0};
   alignas(64) double planes[16];
   if constexpr (Path::width != 8) {
@@ -46,7 +46,7 @@ GRAZE_BATCH_INLINE eight_signs lattice_signs(const F& f, const octet<Path>& corn
     eight_boxes<Path> points;
 #pragma GCC unroll 3
     for (int a = 0; a < 3; ++a) {
-      const long long* const from = indices_of_lattice.of[a] + 8 * eight;
+      const long long* const from = indices_of_lattice.index[a] + 8 * eight;
 #if defined(__AVX512F__)
       if constexpr (Path::width == 8)
         points.lo[a].part[0] =
@@ -57,7 +57,7 @@ GRAZE_BATCH_INLINE eight_signs lattice_signs(const F& f, const octet<Path>& corn
         alignas(64) double x[8];
         for (int i = 0; i < 8; ++i)
           x[i] = planes[from[i]];
-        points.lo[a] = lanes::load(x);
+        points.lo[a] = numbers::load(x);
       }
       points.hi[a] = points.lo[a];
     }
@@ -80,18 +80,18 @@ GRAZE_BATCH_INLINE unsigned children_with(unsigned points) {
 
 /// An octant as the lanes have it.
 template <class Path> struct eight_octant {
-  using lanes = octet<Path>;
-  lanes corner; ///< x, y, z in lanes 0 to 2 and 4 to 6
+  using numbers = octet<Path>;
+  numbers corner; ///< x, y, z in lanes 0 to 2 and 4 to 6
   double half;
   bool cut = true; ///< it may reach out of the domain
 
   GRAZE_BATCH_INLINE explicit eight_octant(const cube& cell)
       : corner(sound_eight<Path, convention::owned>::corner(cell)), half(cell.size / 2) {}
-  GRAZE_BATCH_INLINE eight_octant(const lanes& c, double h, bool may_be_cut)
+  GRAZE_BATCH_INLINE eight_octant(const numbers& c, double h, bool may_be_cut)
       : corner(c), half(h), cut(may_be_cut) {}
 
-  [[nodiscard]] GRAZE_BATCH_INLINE lanes mid() const {
-    return lanes::add_up(corner, lanes::broadcast(half)); // exact in a root_cube
+  [[nodiscard]] GRAZE_BATCH_INLINE numbers mid() const {
+    return numbers::add_up(corner, numbers::broadcast(half)); // exact in a root_cube
   }
   [[nodiscard]] GRAZE_BATCH_INLINE eight_octant child(unsigned i) const {
     return {chosen(i << 4 | i, mid(), corner), half / 2, cut};
@@ -109,7 +109,7 @@ public:
   using B = backend_beside<Path>;
   using scope = typename B::scope;
   using octant = eight_octant<Path>;
-  using lanes = octet<Path>;
+  using numbers = octet<Path>;
 
   GRAZE_BATCH_INLINE eight_judge(const F& f, const box& domain) : f_(f), domain_(domain) {}
 
@@ -118,7 +118,7 @@ public:
   }
 
   [[nodiscard]] GRAZE_BATCH_INLINE leaf_children leaves(octant& o) const {
-    const lanes mid = o.mid();
+    const numbers mid = o.mid();
     const unsigned open = kept(o, mid);
     unsigned certified = 0;
     if (open == 0)
@@ -142,7 +142,7 @@ public:
 
 private:
   /// Children that may have a zero.
-  GRAZE_BATCH_INLINE unsigned kept(octant& o, const lanes& mid) const {
+  GRAZE_BATCH_INLINE unsigned kept(octant& o, const numbers& mid) const {
     auto boxes = eight_boxes<Path>::children(o.corner, mid, o.half);
     unsigned outside = 0;
     if (o.cut) {

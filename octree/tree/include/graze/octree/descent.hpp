@@ -40,7 +40,7 @@ private:
 
 namespace detail {
 struct reordered_masks {
-  std::uint8_t of[8][256];
+  std::uint8_t mask[8][256];
 };
 consteval reordered_masks make_reordered_masks() {
   reordered_masks r{};
@@ -48,7 +48,7 @@ consteval reordered_masks make_reordered_masks() {
     for (unsigned mask = 0; mask < 256; ++mask)
       for (unsigned i = 0; i < 8; ++i)
         if ((mask >> i & 1) != 0)
-          r.of[flip][mask] = static_cast<std::uint8_t>(r.of[flip][mask] | 1u << (i ^ flip));
+          r.mask[flip][mask] = static_cast<std::uint8_t>(r.mask[flip][mask] | 1u << (i ^ flip));
   return r;
 }
 inline constexpr reordered_masks masks_reordered = make_reordered_masks();
@@ -56,7 +56,7 @@ inline constexpr reordered_masks masks_reordered = make_reordered_masks();
 
 /// Bit i of the mask (below 256) becomes bit i XOR flip (below 8).
 [[gnu::always_inline]] inline unsigned reordered(unsigned mask, unsigned flip) {
-  return detail::masks_reordered.of[flip][mask];
+  return detail::masks_reordered.mask[flip][mask];
 }
 
 /// How a prepared ray goes from a cell to its children.

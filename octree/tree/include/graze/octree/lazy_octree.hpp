@@ -35,7 +35,7 @@ public:
   lazy_octree(const lazy_octree&) = delete;
   lazy_octree& operator=(const lazy_octree&) = delete;
 
-  [[nodiscard]] const cube& box() const { return root_.box(); }
+  [[nodiscard]] const cube& root_octant() const { return root_.root_octant(); }
   [[nodiscard]] int level() const { return root_.level(); }
   [[nodiscard]] node root() const { return {0, 0, 0}; }
 

@@ -82,13 +82,13 @@ namespace detail {
 /// All bits or none, so that a register loaded from here is a mask of the paths that keep masks in
 /// registers of numbers: entry b has lane i set where bit i of b is.
 struct lane_masks {
-  alignas(64) std::uint64_t of[256][8];
+  alignas(64) std::uint64_t mask[256][8];
 };
 consteval lane_masks make_lane_masks() {
   lane_masks m{};
   for (unsigned b = 0; b < 256; ++b)
     for (unsigned i = 0; i < 8; ++i)
-      m.of[b][i] = (b >> i & 1) != 0 ? ~std::uint64_t{0} : 0;
+      m.mask[b][i] = (b >> i & 1) != 0 ? ~std::uint64_t{0} : 0;
   return m;
 }
 inline constexpr lane_masks masks_of_lanes = make_lane_masks();
@@ -150,17 +150,17 @@ GRAZE_BATCH_INLINE octet<Path> spread(const octet<Path>& p, const octet<Path>& q
 
 /// Lane i is q's where bit i of `lanes` (below 256) is set, else p's.
 template <class Path>
-GRAZE_BATCH_INLINE octet<Path> chosen(unsigned lanes, const octet<Path>& q, const octet<Path>& p) {
+GRAZE_BATCH_INLINE octet<Path> chosen(unsigned mask, const octet<Path>& q, const octet<Path>& p) {
   octet<Path> r;
 #pragma GCC unroll 8
   for (std::size_t i = 0; i < octet<Path>::count; ++i) {
     if constexpr (Path::width == 8)
-      r.part[i] = Path::select(static_cast<typename Path::mask>(lanes), q.part[i], p.part[i]);
+      r.part[i] = Path::select(static_cast<typename Path::mask>(mask), q.part[i], p.part[i]);
     else if constexpr (Path::width == 1)
-      r.part[i] = (lanes >> i & 1) != 0 ? q.part[i] : p.part[i];
+      r.part[i] = (mask >> i & 1) != 0 ? q.part[i] : p.part[i];
     else
       r.part[i] = Path::select(
-          Path::load(reinterpret_cast<const double*>(detail::masks_of_lanes.of[lanes]) +
+          Path::load(reinterpret_cast<const double*>(detail::masks_of_lanes.mask[mask]) +
                      i * Path::width),
           q.part[i], p.part[i]);
   }

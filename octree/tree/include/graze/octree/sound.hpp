@@ -34,8 +34,9 @@ public:
   }
 
   void split(const cube& cell, const state& at, branches<state>& out) const {
-    const halves of = halve(cell, at);
-    in_order(passed(of), of.origin_side, [&](unsigned index) { out.push(index, of.child(index)); });
+    const halves parts = halve(cell, at);
+    in_order(passed(parts), parts.origin_side,
+             [&](unsigned index) { out.push(index, parts.child(index)); });
   }
 
   /// The child that comes first, front to back: bit a is set where the origin lies on the upper
@@ -75,30 +76,30 @@ protected:
   [[nodiscard]] bool moves(unsigned axis) const { return axes_[axis].direction != heading::across; }
 
   [[nodiscard]] halves halve(const cube& cell, const state& at) const {
-    halves of;
-    of.origin_side = first_child(cell);
+    halves parts;
+    parts.origin_side = first_child(cell);
     for (unsigned a = 0; a < 3; ++a) {
       const auto mid = bounds::template at_plane<C>(axes_[a], cell.mid(static_cast<int>(a)));
       const unsigned entry = entry_side(a);
-      of.half[a][entry] = {at[a].enter, mid.leave};
-      of.half[a][1 - entry] = {mid.enter, at[a].leave};
+      parts.half[a][entry] = {at[a].enter, mid.leave};
+      parts.half[a][1 - entry] = {mid.enter, at[a].leave};
     }
-    return of;
+    return parts;
   }
 
   /// Bit i is set where pass(xy, z) says so of child i, without a branch: the common interval of
   /// each pair of sides in x and y serves two children.
-  template <class Pass> [[nodiscard]] static unsigned children(const halves& of, Pass pass) {
+  template <class Pass> [[nodiscard]] static unsigned children(const halves& parts, Pass pass) {
     std::array<typename bounds::interval, 4> xy;
     for (unsigned i = 0; i < 4; ++i)
-      xy[i] = bounds::common(of.half[0][i & 1], of.half[1][i >> 1]);
+      xy[i] = bounds::common(parts.half[0][i & 1], parts.half[1][i >> 1]);
     unsigned mask = 0;
     for (unsigned i = 0; i < 8; ++i)
-      mask |= (pass(xy[i & 3], of.half[2][i >> 2]) ? 1u : 0u) << i;
+      mask |= (pass(xy[i & 3], parts.half[2][i >> 2]) ? 1u : 0u) << i;
     return mask;
   }
-  [[nodiscard]] static unsigned passed(const halves& of) {
-    return children(of, [](const auto& xy, const auto& z) { return bounds::passes(xy, z); });
+  [[nodiscard]] static unsigned passed(const halves& parts) {
+    return children(parts, [](const auto& xy, const auto& z) { return bounds::passes(xy, z); });
   }
 
   /// Front to back: the origin's side first, on each axis.

@@ -32,16 +32,16 @@ struct backend_beside : std::conditional_t<std::is_same_v<typename Path::vector,
 template <class Path, convention C> class sound_eight {
 public:
   using path = Path;
-  using lanes = octet<Path>;
+  using numbers = octet<Path>;
   using backend = backend_beside<Path>;
   using bounds = ray_bounds<backend>;
   using scope = typename backend::scope;
-  using state = lanes;
+  using state = numbers;
 
   /// What one pass finds out about an octant's children.
   struct halves {
-    lanes mid;        ///< the mid-planes' coordinates, on x, y, z in lanes 0 to 2 and 4 to 6
-    lanes at_mid;     ///< the bounds at the mid-planes
+    numbers mid;      ///< the mid-planes' coordinates, on x, y, z in lanes 0 to 2 and 4 to 6
+    numbers at_mid;   ///< the bounds at the mid-planes
     unsigned passed;  ///< bit i: child i XOR mirror() is passed
     unsigned nearest; ///< the child that comes first, XOR mirror()
   };
@@ -67,11 +67,11 @@ public:
       up[a] = up[a + 4] = axes_[a].c_up;
       at_least[a] = C == convention::owned ? tiny : 0;
     }
-    origin_ = lanes::load(origin);
-    c_down_ = lanes::load(down);
-    c_up_ = lanes::load(up);
-    signs_ = lanes::load(signs);
-    at_least_ = lanes::load(at_least);
+    origin_ = numbers::load(origin);
+    c_down_ = numbers::load(down);
+    c_up_ = numbers::load(up);
+    signs_ = numbers::load(signs);
+    at_least_ = numbers::load(at_least);
   }
 
   /// Bit a: the ray goes backward on axis a.
@@ -86,45 +86,45 @@ public:
       ends[a] = t[a].leave;
       ends[a + 4] = -t[a].enter;
     }
-    at = lanes::load(ends);
+    at = numbers::load(ends);
     return bounds::passes(t[0], t[1], t[2]);
   }
 
   /// The lower corner of an octant, as `open` takes it.
-  [[nodiscard]] static GRAZE_BATCH_INLINE lanes corner(const cube& cell) {
+  [[nodiscard]] static GRAZE_BATCH_INLINE numbers corner(const cube& cell) {
     alignas(64) const double lo[8] = {cell.lo[0], cell.lo[1], cell.lo[2], 0,
                                       cell.lo[0], cell.lo[1], cell.lo[2], 0};
-    return lanes::load(lo);
+    return numbers::load(lo);
   }
 
   /// The pass. `half` is half of the octant's size, `at` what enter or child_state gave for it.
-  [[nodiscard]] GRAZE_BATCH_INLINE halves open(const lanes& corner, double half,
+  [[nodiscard]] GRAZE_BATCH_INLINE halves open(const numbers& corner, double half,
                                                const state& at) const {
     halves r;
-    r.mid = lanes::add_up(corner, lanes::broadcast(half)); // exact in a root_cube
+    r.mid = numbers::add_up(corner, numbers::broadcast(half)); // exact in a root_cube
     // uppb(p, q) of ray_bounds in each lane
-    const lanes u = lanes::sub_up(mirrored(r.mid), origin_);
-    const lanes zero = lanes::broadcast(0);
-    lanes c;
+    const numbers u = numbers::sub_up(mirrored(r.mid), origin_);
+    const numbers zero = numbers::broadcast(0);
+    numbers c;
     unsigned positive = 0;
 #pragma GCC unroll 8
-    for (std::size_t i = 0; i < lanes::count; ++i) {
+    for (std::size_t i = 0; i < numbers::count; ++i) {
       const auto m = Path::less(zero.part[i], u.part[i]);
       c.part[i] = Path::select(m, c_up_.part[i], c_down_.part[i]);
-      positive |= Path::bits(m) << (i * lanes::width);
+      positive |= Path::bits(m) << (i * numbers::width);
     }
-    r.at_mid = lanes::mul_up(c, u);
+    r.at_mid = numbers::mul_up(c, u);
     if (across_ != 0) [[unlikely]]
       r.at_mid = across(u, r.at_mid);
     r.nearest = on_upper_side(positive) ^ mirror_;
 
-    const lanes leave =
-        lanes::min(lanes::min(spread<0, 0>(r.at_mid, at), spread<1, 1>(r.at_mid, at)),
-                   spread<2, 2>(r.at_mid, at));
-    const lanes minus_enter =
-        lanes::min(lanes::min(spread<4, 0>(at, r.at_mid), spread<5, 1>(at, r.at_mid)),
-                   lanes::min(spread<6, 2>(at, r.at_mid), zero));
-    r.passed = lanes::less_equal(lanes::neg(minus_enter), leave);
+    const numbers leave =
+        numbers::min(numbers::min(spread<0, 0>(r.at_mid, at), spread<1, 1>(r.at_mid, at)),
+                     spread<2, 2>(r.at_mid, at));
+    const numbers minus_enter =
+        numbers::min(numbers::min(spread<4, 0>(at, r.at_mid), spread<5, 1>(at, r.at_mid)),
+                     numbers::min(spread<6, 2>(at, r.at_mid), zero));
+    r.passed = numbers::less_equal(numbers::neg(minus_enter), leave);
     return r;
   }
 
@@ -133,13 +133,13 @@ public:
                                                             unsigned mirrored_index) {
     return child_state(h.at_mid, at, mirrored_index);
   }
-  [[nodiscard]] static GRAZE_BATCH_INLINE state child_state(const lanes& at_mid, const state& at,
+  [[nodiscard]] static GRAZE_BATCH_INLINE state child_state(const numbers& at_mid, const state& at,
                                                             unsigned mirrored_index) {
     return chosen(mirrored_index << 4 | (mirrored_index ^ 7u), at_mid, at);
   }
   /// The lower corner of the child `index`.
-  [[nodiscard]] static GRAZE_BATCH_INLINE lanes child_corner(const lanes& corner, const lanes& mid,
-                                                             unsigned index) {
+  [[nodiscard]] static GRAZE_BATCH_INLINE numbers child_corner(const numbers& corner,
+                                                               const numbers& mid, unsigned index) {
     return chosen(index << 4 | index, mid, corner);
   }
 
@@ -154,10 +154,10 @@ public:
   }
 
 private:
-  GRAZE_BATCH_INLINE lanes mirrored(const lanes& x) const {
-    lanes r;
+  GRAZE_BATCH_INLINE numbers mirrored(const numbers& x) const {
+    numbers r;
 #pragma GCC unroll 8
-    for (std::size_t i = 0; i < lanes::count; ++i)
+    for (std::size_t i = 0; i < numbers::count; ++i)
       r.part[i] = exclusive_or(x.part[i], signs_.part[i]);
     return r;
   }
@@ -181,14 +181,15 @@ private:
   }
 
   /// On the axes along which the ray does not move, containment takes the bounds' place.
-  GRAZE_BATCH_INLINE lanes across(const lanes& u, const lanes& at_mid) const {
-    const unsigned within = lanes::less_equal(at_least_, u);
+  GRAZE_BATCH_INLINE numbers across(const numbers& u, const numbers& at_mid) const {
+    const unsigned within = numbers::less_equal(at_least_, u);
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return chosen(across_, chosen(within, lanes::broadcast(infinity), lanes::broadcast(-infinity)),
+    return chosen(across_,
+                  chosen(within, numbers::broadcast(infinity), numbers::broadcast(-infinity)),
                   at_mid);
   }
 
-  lanes origin_, c_down_, c_up_, signs_, at_least_;
+  numbers origin_, c_down_, c_up_, signs_, at_least_;
   std::array<typename bounds::axis, 3> axes_;
   unsigned mirror_ = 0, across_ = 0;
 };

@@ -24,7 +24,7 @@ public:
   static constexpr std::size_t bytes_per_node = sizeof(std::uint8_t) + sizeof(std::uint32_t);
   static constexpr std::size_t bytes_per_leaf = sizeof(content);
 
-  [[nodiscard]] const cube& box() const { return box_; }
+  [[nodiscard]] const cube& root_octant() const { return cube_; }
   [[nodiscard]] int level() const { return level_; }
 
   [[nodiscard]] node root() const { return static_cast<node>(mask_.size()) - 1; }
@@ -67,8 +67,8 @@ public:
 private:
   friend class builder;
   friend class assembly;
-  explicit sparse_octree(const root_cube& root) : box_(root.box()), level_(root.level()) {}
-  cube box_;
+  explicit sparse_octree(const root_cube& root) : cube_(root.root_octant()), level_(root.level()) {}
+  cube cube_;
   int level_;
   std::vector<std::uint8_t> mask_;
   std::vector<std::uint32_t> first_child_;

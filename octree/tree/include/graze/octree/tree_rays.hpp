@@ -37,8 +37,8 @@ class tree_walk {
 public:
   tree_walk(const T& tree, const root_cube& root, int level, const ray& r,
             const ray_segment& segment = {})
-      : tree_(&tree), root_(root.box()), level_(level), ray_(r), segment_(segment), touch_(r),
-        method_(r) {
+      : tree_(&tree), root_(root.root_octant()), level_(level), ray_(r), segment_(segment),
+        touch_(r), method_(r) {
     assert(1 <= level && level <= root.level());
     scale_segment();
     state at;

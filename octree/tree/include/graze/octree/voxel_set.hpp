@@ -31,7 +31,7 @@ public:
     if (root.level() > max_set_level)
       return unexpected{"a voxel set has at most 20 levels"};
     std::vector<std::uint64_t> keys;
-    gather(tree, tree.root(), root.box(), {0, 0, 0}, root.level(), root.level(), keys);
+    gather(tree, tree.root(), root.root_octant(), {0, 0, 0}, root.level(), root.level(), keys);
     return from_keys(root, std::move(keys));
   }
 
@@ -40,8 +40,8 @@ public:
   [[nodiscard]] std::size_t voxel_count() const { return voxels_; }
   [[nodiscard]] std::size_t node_count() const { return mask_.size(); }
   [[nodiscard]] std::size_t bytes() const { return node_count() * bytes_per_node; }
-  /// The voxel's box; exact.
-  [[nodiscard]] cube box(const voxel& v) const {
+  /// The voxel's cube; exact.
+  [[nodiscard]] cube octant(const voxel& v) const {
     return root_.octant({v.index(0), v.index(1), v.index(2)}, level());
   }
 
