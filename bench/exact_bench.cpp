@@ -2,12 +2,12 @@
 /// decisions and rays per second. The predicate is asked as it is within a descent, with the mode
 /// set upwards.
 #include <benchmark/benchmark.h>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/method_traversal.hpp>
+#include <generate/generators.hpp>
 #include <graze/octree/exact.hpp>
 #include <graze/rounding/environment.hpp>
 #include <graze/rounding/upward.hpp>
 #include <string>
+#include <traversal/method_traversal.hpp>
 #include <vector>
 
 namespace {

@@ -1,9 +1,9 @@
 /// Answers of a traversal in another process: whatever its lines hold, what is read of them is
 /// within the block and can be judged.
 #include "target.hpp"
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/line_protocol.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <external/line_protocol.hpp>
+#include <generate/generators.hpp>
+#include <judge/judge.hpp>
 
 using namespace graze::fuzz;
 

@@ -3,10 +3,10 @@
 #include "target.hpp"
 #include <algorithm>
 #include <cstdlib>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/mutate.hpp>
-#include <graze/fuzz/properties.hpp>
-#include <graze/fuzz/replay.hpp>
+#include <generate/generators.hpp>
+#include <generate/mutate.hpp>
+#include <judge/judge.hpp>
+#include <judge/replay.hpp>
 
 using namespace graze::fuzz;
 

@@ -4,12 +4,12 @@
 /// codes: 0 all held (else the target aborts), 2 bad input.
 #include "target.hpp"
 #include <algorithm>
+#include <campaign/store.hpp>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <graze/fuzz/campaign_store.hpp>
 #include <graze/rounding/environment.hpp>
 #include <iterator>
 #include <sys/resource.h>

@@ -1,8 +1,8 @@
 /// The baselines' misses are found at once, shrunk, and told again by rationals.
 #include "campaign_of.hpp"
-#include <graze/fuzz/replay.hpp>
-#include <graze/fuzz/report.hpp>
-#include <graze/fuzz/shrink.hpp>
+#include <judge/replay.hpp>
+#include <report/report.hpp>
+#include <shrink/shrink.hpp>
 
 using namespace graze::fuzz;
 

@@ -1,6 +1,6 @@
 #pragma once
+#include <campaign/campaign.hpp>
 #include <catch2/catch.hpp>
-#include <graze/fuzz/campaign.hpp>
 
 namespace graze::fuzz {
 

@@ -1,5 +1,5 @@
 #include "campaign_of.hpp"
-#include <graze/fuzz/report.hpp>
+#include <report/report.hpp>
 
 using namespace graze::fuzz;
 

@@ -1,15 +1,15 @@
 /// What makes campaigns fast says what the slow way says.
 #include <catch2/catch.hpp>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/method_traversal.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <generate/generators.hpp>
 #include <graze/octree/exact.hpp>
 #include <graze/octree/sound.hpp>
 #include <graze/oracle/rational.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/upward.hpp>
+#include <judge/judge.hpp>
 #include <peers/paper2005/published.hpp>
+#include <traversal/method_traversal.hpp>
 
 using namespace graze::fuzz;
 using namespace graze::octree;

@@ -2,11 +2,11 @@
 /// on, and the campaign goes on.
 #include "../support/program.hpp"
 #include "campaign_of.hpp"
-#include <graze/fuzz/lasting_campaign.hpp>
-#include <graze/fuzz/replay.hpp>
-#include <graze/fuzz/report.hpp>
-#include <graze/fuzz/reproducer.hpp>
+#include <campaign/lasting.hpp>
+#include <judge/replay.hpp>
 #include <nlohmann/json.hpp>
+#include <report/report.hpp>
+#include <report/reproducer/reproducer.hpp>
 #include <stdexcept>
 
 using namespace graze::fuzz;

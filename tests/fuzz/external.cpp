@@ -2,14 +2,14 @@
 /// going wrong is told, on the ray that brings it on.
 #include "../support/program.hpp"
 #include "campaign_of.hpp"
+#include <external/external.hpp>
 #include <filesystem>
 #include <fstream>
-#include <graze/fuzz/external.hpp>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/replay.hpp>
 #include <iostream>
+#include <judge/replay.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <trial/number.hpp>
 
 using namespace graze::fuzz;
 

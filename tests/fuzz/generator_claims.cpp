@@ -1,9 +1,9 @@
 /// The generators do what their names say, by the oracle.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <generate/generators.hpp>
 #include <graze/oracle/geometry.hpp>
+#include <judge/judge.hpp>
 
 using namespace graze::fuzz;
 

@@ -1,10 +1,10 @@
 /// Campaigns that last: killed at any moment, sharded, resumed.
 #include "../support/program.hpp"
+#include <campaign/lasting.hpp>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>
-#include <graze/fuzz/lasting_campaign.hpp>
 #include <nlohmann/json.hpp>
 #include <sys/prctl.h>
 #include <thread>
@@ -86,7 +86,8 @@ public:
     char* line = nullptr;
     std::size_t room = 0;
     while (pieces > 0 && getline(&line, &room, events_) > 0)
-      pieces -= std::string_view(line).find("\"event\":\"piece\"") != std::string_view::npos ? 1 : 0;
+      pieces -=
+          std::string_view(line).find("\"event\":\"piece\"") != std::string_view::npos ? 1 : 0;
     std::free(line);
     return pieces == 0;
   }

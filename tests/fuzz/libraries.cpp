@@ -1,7 +1,7 @@
 /// The adapters to libraries: each answers rays with nothing special rightly, and is caught where
 /// it is known to be wrong. A library that is not there is skipped.
 #include "campaign_of.hpp"
-#include <graze/fuzz/libraries.hpp>
+#include <external/libraries.hpp>
 #include <iostream>
 
 using namespace graze::fuzz;

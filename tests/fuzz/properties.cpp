@@ -1,8 +1,8 @@
 /// The predicates on cases small enough to be checked by eye.
 #include <catch2/catch.hpp>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <generate/generators.hpp>
 #include <graze/oracle/rational.hpp>
+#include <judge/judge.hpp>
 
 using namespace graze::fuzz;
 

@@ -1,9 +1,9 @@
 /// The same predicates under RapidCheck: every generator, every level, shrunk and printed in hex.
 /// A failure prints the string for RC_PARAMS that reproduces it.
 #include <catch2/catch.hpp>
-#include <graze/fuzz/codec.hpp>
-#include <graze/fuzz/rapidcheck.hpp>
+#include <shrink/rapidcheck.hpp>
 #include <sstream>
+#include <trial/codec.hpp>
 
 using namespace graze::fuzz;
 

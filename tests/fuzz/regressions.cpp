@@ -1,6 +1,6 @@
 /// Every case on record stays a test: the oracle says touched, sound visits, the baseline misses.
 #include <catch2/catch.hpp>
-#include <graze/fuzz/replay.hpp>
+#include <judge/replay.hpp>
 #include <xmmintrin.h>
 
 using namespace graze::fuzz;

@@ -4,11 +4,11 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <cstdio>
 #include <functional>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/reproducer.hpp>
-#include <graze/fuzz/shrink.hpp>
 #include <optional>
+#include <report/reproducer/reproducer.hpp>
 #include <set>
+#include <shrink/shrink.hpp>
+#include <trial/number.hpp>
 
 using namespace graze::fuzz;
 using support::content, support::scratch;

@@ -1,12 +1,12 @@
 /// Trials as bytes, their mutations, the margin, and the climb towards the smallest one.
 #include "campaign_of.hpp"
+#include <generate/margin.hpp>
+#include <generate/mutate.hpp>
 #include <gmpxx.h>
-#include <graze/fuzz/codec.hpp>
-#include <graze/fuzz/margin.hpp>
-#include <graze/fuzz/mutate.hpp>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/replay.hpp>
+#include <judge/replay.hpp>
 #include <limits>
+#include <trial/codec.hpp>
+#include <trial/number.hpp>
 
 using namespace graze::fuzz;
 

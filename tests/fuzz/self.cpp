@@ -5,18 +5,18 @@
 #include <cmath>
 #include <csignal>
 #include <graze/decorated_functions.hpp>
-#include <graze/fuzz/self/batches.hpp>
-#include <graze/fuzz/self/campaign.hpp>
-#include <graze/fuzz/self/formula.hpp>
-#include <graze/fuzz/self/interval_operations.hpp>
-#include <graze/fuzz/self/loaders.hpp>
-#include <graze/fuzz/self/voxelizer.hpp>
 #include <limits>
+#include <self/batches.hpp>
+#include <self/campaign.hpp>
+#include <self/formula.hpp>
+#include <self/interval_operations.hpp>
+#include <self/loaders.hpp>
+#include <self/voxelizer.hpp>
 #include <unistd.h>
 #if defined(__x86_64__)
-#include <graze/fuzz/self/control_words.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/upward.hpp>
+#include <self/control_words.hpp>
 #endif
 
 using namespace graze;

@@ -1,5 +1,5 @@
 #include "campaign_of.hpp"
-#include <graze/fuzz/shrink.hpp>
+#include <shrink/shrink.hpp>
 
 using namespace graze::fuzz;
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <graze/fuzz/traversal.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <traversal/traversal.hpp>
 #include <unistd.h>
 
 using namespace graze::fuzz;

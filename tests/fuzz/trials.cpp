@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
-#include <graze/fuzz/block_tree.hpp>
-#include <graze/fuzz/generators.hpp>
+#include <generate/generators.hpp>
+#include <traversal/block_tree.hpp>
 
 using namespace graze::fuzz;
 

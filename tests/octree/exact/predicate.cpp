@@ -2,12 +2,12 @@
 #include "all_modes.hpp"
 #include <catch2/catch.hpp>
 #include <cfloat>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <generate/generators.hpp>
 #include <graze/octree/exact_touch.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <graze/oracle/rational.hpp>
+#include <judge/judge.hpp>
+#include <trial/number.hpp>
 
 using namespace graze;
 using namespace graze::octree;

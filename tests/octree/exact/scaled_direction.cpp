@@ -1,13 +1,13 @@
 // Directions of any size: the same half-line as by hand, no octant missed, the bounds as tight.
+#include <campaign/campaign.hpp>
 #include <catch2/catch.hpp>
 #include <cstring>
-#include <graze/fuzz/campaign.hpp>
-#include <graze/fuzz/method_traversal.hpp>
 #include <graze/octree/exact.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/upward.hpp>
+#include <traversal/method_traversal.hpp>
 
 using namespace graze;
 using namespace graze::octree;

@@ -2,11 +2,11 @@
 /// Rays of the campaign's generators with a block of voxels around what they graze, and what exact
 /// arithmetic says about them.
 #include "../../support/paths.hpp"
+#include <generate/generators.hpp>
 #include <graze/batch.hpp>
-#include <graze/fuzz/block_tree.hpp>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/properties.hpp>
 #include <graze/octree/voxel_rays.hpp>
+#include <judge/judge.hpp>
+#include <traversal/block_tree.hpp>
 #include <vector>
 
 namespace graze::interface_tests {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <graze/fuzz/traversal.hpp>
 #include <graze/octree/tree_rays.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <set>
+#include <traversal/traversal.hpp>
 
 using namespace graze;
 using namespace graze::interface_tests;

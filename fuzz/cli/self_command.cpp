@@ -1,0 +1,132 @@
+#include <cli/self_command.hpp>
+#include <cmath>
+#include <graze/support/program.hpp>
+#include <graze/support/progress.hpp>
+#include <self/campaign.hpp>
+
+namespace graze::fuzz {
+
+using namespace support;
+
+struct self_options {
+  CLI::App* app = nullptr;
+  std::vector<std::string> names;
+  std::uint64_t seed = 1, first = 0, trials = 0;
+  double seconds = 0, seconds_a_trial = 60;
+  unsigned threads = default_threads();
+  bool list = false, json = false, progress = false;
+};
+
+namespace {
+
+int list(bool as_json) {
+  for (const self::subject& s : self::subjects()) {
+    std::string parts;
+    for (const self::part& p : s.parts)
+      parts += fmt::format("{}{}{}",
+                           parts.empty() ? ""
+                           : as_json     ? ","
+                                         : " ",
+                           as_json ? "\"" : "", p.name) +
+               (as_json ? "\"" : "");
+    if (as_json)
+      print("{{\"subject\":\"{}\",\"parts\":[{}]}}\n", s.name, parts);
+    else
+      print("{:<15} {}\n{:<15} {}\n", s.name, s.summary, "", parts);
+  }
+  return 0;
+}
+
+int run_subjects(const self_options& o) {
+  if (o.list)
+    return list(o.json);
+  std::vector<const self::subject*> chosen;
+  for (const std::string& name : o.names) {
+    const self::subject* s = self::find_subject(name);
+    if (s == nullptr)
+      return bad_input(
+          fmt::format("no subject is called \"{}\" (see graze-fuzz self --list)", name));
+    chosen.push_back(s);
+  }
+  if (o.names.empty())
+    for (const self::subject& s : self::subjects())
+      chosen.push_back(&s);
+  if (!std::isfinite(o.seconds) || o.seconds < 0)
+    return bad_input("--seconds is not a finite number of seconds, 0 or more");
+  if (!std::isfinite(o.seconds_a_trial) || o.seconds_a_trial <= 0)
+    return bad_input("--timeout is not a finite number of seconds above 0");
+  if (o.threads < 1 || o.threads > most_threads)
+    return bad_input("--threads is outside 1..1024");
+  if (o.trials > ~std::uint64_t{0} - o.first)
+    return bad_input("--first and --trials together exceed 64 bits");
+
+  listen_for_interrupts();
+  progress_line line("trials", o.progress);
+  bool any = false;
+  for (const self::subject* s : chosen) {
+    if (stop_wanted)
+      break;
+    const self::plan plan{.under_test = s,
+                          .seed = o.seed,
+                          .first = o.first,
+                          .trials = o.trials,
+                          .seconds = o.seconds == 0 && o.trials == 0 ? 5 : o.seconds,
+                          .processes = o.threads,
+                          .seconds_a_trial = o.seconds_a_trial};
+    std::function<void(std::uint64_t, double)> show;
+    if (line.is_shown())
+      show = [&](std::uint64_t trials, double t) {
+        line.show({trials, plan.trials, t, plan.seconds}, std::string(s->name) + ": ");
+      };
+    const auto r = self::run(plan, stop_wanted, show);
+    if (stop_wanted)
+      end_is_orderly();
+    line.clear();
+    if (!r)
+      return bad_input(r.reason());
+    print("{}{}", o.json ? to_json(plan, *r) : to_text(plan, *r), o.json ? "\n" : "");
+    flush_output();
+    any = any || !r->findings.empty();
+  }
+  return any ? found : done;
+}
+
+} // namespace
+
+self_command::self_command(CLI::App& app) : options_(std::make_unique<self_options>()) {
+  self_options& o = *options_;
+  CLI::App* c = o.app = app.add_subcommand("self", "Search for flaws of graze itself, not of rays");
+  c->footer(R"(
+Examples:
+  graze-fuzz self                                         each subject for five seconds
+  graze-fuzz self functions control-words --seconds 600
+  graze-fuzz self functions --seed 1 --first 4711 --trials 1   one trial again
+  graze-fuzz self --list
+
+Exit code: 0 nothing found, 1 a finding, 2 bad input.)");
+  c->add_option("subjects", o.names, "Names of subjects (default: all, one after the other)");
+  c->add_option("--seconds", o.seconds, "Budget of time of each subject (5, if none is given)");
+  c->add_option("--trials", o.trials, "Budget of trials of each subject")->check(whole_number());
+  c->add_option("--first", o.first, "Number of the first trial")
+      ->check(whole_number())
+      ->capture_default_str();
+  c->add_option("--seed", o.seed, "Trial k of a seed is always the same trial")
+      ->check(whole_number())
+      ->capture_default_str();
+  c->add_option("--threads", o.threads, "Processes at a time")->capture_default_str();
+  c->add_option("--timeout", o.seconds_a_trial, "Seconds after which a trial counts as a hang")
+      ->capture_default_str();
+  c->add_flag("--list", o.list, "Print the subjects and their parts");
+  c->add_flag("--json", o.json, "Print one JSON object a subject, on a line");
+  c->add_flag("--progress", o.progress, "Show progress even if stderr is not a terminal");
+}
+
+self_command::~self_command() = default;
+
+std::optional<int> self_command::run() const {
+  if (!options_->app->parsed())
+    return std::nullopt;
+  return run_subjects(*options_);
+}
+
+} // namespace graze::fuzz
