@@ -1,19 +1,11 @@
 #include <algorithm>
 #include <campaign/campaign.hpp>
-#include <chrono>
 #include <graze/rounding/environment.hpp>
-#include <graze/support/threads.hpp>
 #include <mutex>
 
 namespace graze::fuzz {
 
 namespace {
-
-using clock = std::chrono::steady_clock;
-
-double since(clock::time_point start) {
-  return std::chrono::duration<double>(clock::now() - start).count();
-}
 
 std::uint64_t size_of(voxel_set set) { return static_cast<std::uint64_t>(std::popcount(set)); }
 
@@ -29,105 +21,11 @@ constexpr finding_set faults_of_answers = bit(finding::crash) | bit(finding::han
                                           bit(finding::exception) | bit(finding::not_a_number) |
                                           bit(finding::malformed);
 
-/// Rays are handed out in pieces of this many.
-constexpr std::uint64_t piece = 1024;
 /// A traversal is asked this many at a time, after fewer: 1, 2, 4 and so on, so that the first
 /// answers of a slow one do not wait for the others.
-constexpr std::size_t asked_at_once = 64;
-
-/// What the threads share.
-struct shared_state {
-  shared_state(const campaign_plan& plan_, const std::atomic<bool>& stop_)
-      : plan(plan_), stop(stop_) {}
-  const campaign_plan& plan;
-  const std::atomic<bool>& stop;
-  clock::time_point start = clock::now();
-  std::atomic<std::uint64_t> next{0}; ///< rays handed out
-  std::atomic<std::uint64_t> done{0};
-  std::atomic<bool> found{false}; ///< what ends a campaign that runs until a finding
-  std::mutex merging;
-  campaign_result result;
-};
-
-void work(shared_state& shared) {
-  const campaign_plan& plan = shared.plan;
-  const auto under_test = plan.under_test->guarded();
-  const std::size_t kinds = plan.generators.size();
-  trial_source source(plan);
-  std::vector<counts> by_generator(kinds);
-  decltype(campaign_result::first) first(kinds);
-  std::optional<double> first_miss;
-  std::vector<trial> asked(asked_at_once);
-  std::vector<visited> said(asked_at_once);
-
-  const auto one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
-    const verdict v = judge_answer(t, answer, under_test->promises());
-    const std::size_t of = generator_of(plan, ray);
-    by_generator[of].add(v);
-    if (v.findings == 0)
-      return;
-    if (!first_miss && (v.findings & misses_and_gaps) != 0)
-      first_miss = since(shared.start);
-    for (unsigned k = 0; k < finding_kinds; ++k)
-      if ((v.findings >> k & 1) != 0)
-        keep_lower(first[of][k], ray);
-    if (plan.until_finding)
-      shared.found.store(true, std::memory_order_relaxed);
-  };
-
-  std::size_t at_once = 1;
-  const auto expired = [&] {
-    return shared.stop.load(std::memory_order_relaxed) ||
-           shared.found.load(std::memory_order_relaxed) ||
-           (plan.seconds != 0 && since(shared.start) >= plan.seconds);
-  };
-  while (!expired()) {
-    const std::uint64_t from = shared.next.fetch_add(piece);
-    if (plan.rays != 0 && from >= plan.rays)
-      break;
-    const std::uint64_t to = plan.rays != 0 ? std::min(from + piece, plan.rays) : from + piece;
-    // a traversal in another process may be slow: what is left of a piece is dropped in time
-    for (std::uint64_t k = from; k < to && (k == from || !expired());) {
-      const std::size_t count = std::min<std::uint64_t>(at_once, to - k);
-      at_once = std::min(2 * at_once, asked_at_once);
-      for (std::size_t i = 0; i < count; ++i)
-        asked[i] = source.at(plan.first_ray + k + i);
-      std::size_t answered = 0;
-      while (answered < count && (answered == 0 || !expired())) {
-        const std::size_t some =
-            under_test->visit_some(std::span(asked).subspan(answered, count - answered),
-                                   std::span(said).subspan(answered));
-        rounding::set_default_environment(); // whatever a traversal in this process has left
-        for (const std::size_t end = answered + some; answered < end; ++answered)
-          one(plan.first_ray + k + answered, asked[answered], said[answered]);
-      }
-      k += answered;
-      shared.done.fetch_add(answered, std::memory_order_relaxed);
-    }
-  }
-
-  const std::lock_guard lock(shared.merging);
-  campaign_result& all = shared.result;
-  for (std::size_t g = 0; g < kinds; ++g)
-    all.by_generator[g] += by_generator[g];
-  for (std::size_t g = 0; g < kinds; ++g)
-    for (unsigned k = 0; k < finding_kinds; ++k)
-      if (first[g][k])
-        keep_lower(all.first[g][k], *first[g][k]);
-  if (first_miss && (!all.first_miss_seconds || *first_miss < *all.first_miss_seconds))
-    all.first_miss_seconds = first_miss;
-}
+constexpr std::size_t most_asked = 64;
 
 } // namespace
-
-std::string_view name_of(search s) { return s == search::climb ? "climb" : "generators"; }
-
-std::optional<search> search_of(std::string_view name) {
-  for (const search s : {search::generators, search::climb})
-    if (name_of(s) == name)
-      return s;
-  return std::nullopt;
-}
 
 void counts::add(const verdict& v) {
   ++rays;
@@ -174,6 +72,19 @@ counts& counts::operator+=(const counts& other) {
   return *this;
 }
 
+void campaign_result::add(const campaign_result& other) {
+  for (std::size_t g = 0; g < by_generator.size(); ++g) {
+    by_generator[g] += other.by_generator[g];
+    for (unsigned k = 0; k < finding_kinds; ++k)
+      if (other.first[g][k])
+        keep_lower(first[g][k], *other.first[g][k]);
+  }
+  total += other.total;
+  if (other.first_miss_seconds)
+    first_miss_seconds =
+        std::min(first_miss_seconds.value_or(*other.first_miss_seconds), *other.first_miss_seconds);
+}
+
 std::optional<finding> campaign_result::worst_finding() const {
   for (unsigned k = 0; k < finding_kinds; ++k)
     for (const auto& of_generator : first)
@@ -187,7 +98,7 @@ trial trial_of(const campaign_plan& plan, std::uint64_t index) {
 }
 
 std::size_t generator_of(const campaign_plan& plan, std::uint64_t index) {
-  return (plan.by == search::climb ? index / climb_length : index) % plan.generators.size();
+  return (plan.method == search::climb ? index / climb_length : index) % plan.generators.size();
 }
 
 namespace {
@@ -202,7 +113,7 @@ trial generated(const campaign_plan& plan, std::uint64_t index) {
 } // namespace
 
 trial trial_source::at(std::uint64_t index) {
-  if (plan_.by == search::generators)
+  if (plan_.method == search::generators)
     return generated(plan_, index);
   const std::uint64_t number = index / climb_length;
   const std::uint64_t start = number * climb_length;
@@ -220,22 +131,70 @@ trial trial_source::at(std::uint64_t index) {
   return climber_->next();
 }
 
-campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,
-                             const std::function<void(std::uint64_t, double)>& progress) {
-  shared_state shared(plan, stop);
-  shared.result.by_generator.resize(plan.generators.size());
-  shared.result.first.resize(plan.generators.size());
-  support::thread_group workers(
-      plan.threads, [&shared] { work(shared); }, [&shared] { shared.found = true; });
-  while (!workers.wait_for(std::chrono::milliseconds(100)))
-    if (progress)
-      progress(shared.done.load(), since(shared.start));
-  workers.join();
-  campaign_result result = std::move(shared.result);
-  result.seconds = since(shared.start);
-  result.interrupted = stop.load();
+campaign_result search_rays(const campaign_plan& plan, schedule& stretches) {
+  const auto under_test = plan.under_test.guarded();
+  trial_source source(plan);
+  campaign_result result(plan.generators.size());
+  std::vector<trial> asked(most_asked);
+  std::vector<visited> answers(most_asked);
+
+  const auto judge_one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
+    const verdict v = judge_answer(t, answer, under_test->promises());
+    const std::size_t g = generator_of(plan, ray);
+    result.by_generator[g].add(v);
+    if (v.findings == 0)
+      return;
+    if (!result.first_miss_seconds && (v.findings & misses_and_gaps) != 0)
+      result.first_miss_seconds = stretches.seconds();
+    for (unsigned k = 0; k < finding_kinds; ++k)
+      if ((v.findings >> k & 1) != 0)
+        keep_lower(result.first[g][k], ray);
+    if (plan.until_finding)
+      stretches.end();
+  };
+
+  std::size_t at_once = 1;
+  while (const auto taken = stretches.take()) {
+    // a traversal in another process may be slow: what is left of a stretch is dropped in time
+    for (std::uint64_t k = taken->begin;
+         k < taken->end && (k == taken->begin || !stretches.has_ended());) {
+      const std::size_t count = std::min<std::uint64_t>(at_once, taken->end - k);
+      at_once = std::min(2 * at_once, most_asked);
+      for (std::size_t i = 0; i < count; ++i)
+        asked[i] = source.at(plan.first + k + i);
+      std::size_t answered = 0;
+      while (answered < count && (answered == 0 || !stretches.has_ended())) {
+        const std::size_t some =
+            under_test->visit_some(std::span(asked).subspan(answered, count - answered),
+                                   std::span(answers).subspan(answered));
+        rounding::set_default_environment(); // whatever a traversal in this process has left
+        for (const std::size_t end = answered + some; answered < end; ++answered)
+          judge_one(plan.first + k + answered, asked[answered], answers[answered]);
+      }
+      k += answered;
+      stretches.count(answered);
+    }
+  }
   for (const counts& c : result.by_generator)
     result.total += c;
+  return result;
+}
+
+campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,
+                             const progress_listener& progress) {
+  schedule stretches(plan, 1024, stop);
+  campaign_result result(plan.generators.size());
+  std::mutex adding;
+  run_on_threads(
+      stretches, plan.workers,
+      [&] {
+        const campaign_result part = search_rays(plan, stretches);
+        const std::lock_guard lock(adding);
+        result.add(part);
+      },
+      progress);
+  result.seconds = stretches.seconds();
+  result.interrupted = stop.load();
   return result;
 }
 

@@ -1,41 +1,11 @@
 #pragma once
 /// A campaign: many trials on all threads, counted, until a budget is used up.
-#include <atomic>
-#include <functional>
-#include <generate/climb.hpp>
-#include <generate/generators.hpp>
+#include <campaign/schedule.hpp>
 #include <judge/judge.hpp>
-#include <memory>
 #include <optional>
 #include <vector>
 
 namespace graze::fuzz {
-
-/// How rays are looked for: `generators` are asked for each; `climb` starts at a generator's ray
-/// and goes on towards the smallest margin (fuzz/generate/climb.hpp).
-enum class search : std::uint8_t { generators, climb };
-std::string_view name_of(search s);
-/// By the names of name_of().
-std::optional<search> search_of(std::string_view name);
-
-/// What to run. Ray k of a campaign is trial k of the seed, by generator k mod the number of
-/// generators; in a climb, step k mod climb_length of climb k / climb_length, which starts at the
-/// trial of that number. So a campaign of a given number of rays counts and finds the same on any
-/// number of threads.
-struct campaign_plan {
-  const traversal_entry* under_test = nullptr;
-  std::shared_ptr<const traversal_entry> owned{}; ///< under_test, where no table holds it
-  std::vector<const generator*> generators;
-  int level = 50;      ///< 1..53
-  int last_level = 50; ///< rays take the levels from `level` to this one in turn
-  std::uint64_t seed = 1;
-  unsigned threads = 1;
-  double seconds = 0;     ///< 0: no limit of time
-  std::uint64_t rays = 0; ///< 0: no limit of rays
-  std::uint64_t first_ray = 0;
-  search by = search::generators;
-  bool until_finding = false; ///< ends soon after the first one
-};
 
 /// What a generator's rays showed.
 struct counts {
@@ -68,6 +38,9 @@ struct counts {
 };
 
 struct campaign_result {
+  explicit campaign_result(std::size_t generators = 0)
+      : by_generator(generators), first(generators) {}
+
   std::vector<counts> by_generator; ///< as in the plan
   counts total;
   double seconds = 0;
@@ -76,6 +49,8 @@ struct campaign_result {
   std::vector<std::array<std::optional<std::uint64_t>, finding_kinds>> first;
   bool interrupted = false;
 
+  /// Adds what another worker's rays of the same plan showed.
+  void add(const campaign_result& other);
   /// The most serious kind found, if any.
   [[nodiscard]] std::optional<finding> worst_finding() const;
 };
@@ -97,9 +72,11 @@ private:
   std::uint64_t next_ = 0; ///< the ray that climber_ makes next
 };
 
-/// `progress(rays, seconds)` is called about ten times a second, from this thread; `stop` ends the
-/// campaign early when it becomes true.
+/// One worker's part of a campaign: asks and judges the stretches that it takes.
+campaign_result search_rays(const campaign_plan& plan, schedule& stretches);
+
+/// All of them, on the plan's threads; `stop` ends it early when it becomes true.
 campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,
-                             const std::function<void(std::uint64_t, double)>& progress = {});
+                             const progress_listener& progress = {});
 
 } // namespace graze::fuzz

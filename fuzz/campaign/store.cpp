@@ -1,16 +1,12 @@
 #include <algorithm>
 #include <bit>
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid.hpp>
 #include <campaign/store.hpp>
-#include <charconv>
-#include <cmath>
-#include <external/libraries.hpp>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
-#include <judge/replay.hpp>
 #include <nlohmann/json.hpp>
+#include <trial/content_hash.hpp>
+#include <trial/replay_line.hpp>
 
 namespace graze::fuzz {
 
@@ -97,13 +93,6 @@ expected<stored_plan> read_plan(const std::string& path) {
   if (!plan)
     return unexpected{fmt::format("{}: {}", path, plan.reason())};
   return plan;
-}
-
-std::optional<finding> finding_of(std::string_view name) {
-  for (unsigned k = 0; k < finding_kinds; ++k)
-    if (name_of(static_cast<finding>(k)) == name)
-      return static_cast<finding>(k);
-  return std::nullopt;
 }
 
 /// A line of progress of this plan; throws what is wrong with it.
@@ -215,66 +204,26 @@ std::uint64_t stored_plan::rays_of(std::uint64_t number) const {
   return rays == 0 ? piece : std::min(piece, rays - number * piece);
 }
 
-std::uint64_t stored_plan::shard_rays() const {
-  if (rays == 0 || shard > pieces())
-    return 0;
-  const std::uint64_t mine = (pieces() - shard) / shards + 1;
-  const bool has_last = (pieces() - 1) % shards == shard - 1;
-  return mine * piece - (has_last ? piece - rays_of(pieces() - 1) : 0);
+std::uint64_t stored_plan::shard_pieces() const {
+  return shard > pieces() ? 0 : (pieces() - shard) / shards + 1;
 }
 
-bool read_levels(std::string_view text, campaign_plan& plan) {
-  const auto number = [&text](int& n) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return error == std::errc();
-  };
-  if (!number(plan.level))
-    return false;
-  plan.last_level = plan.level;
-  if (text.starts_with('-')) {
-    text.remove_prefix(1);
-    if (!number(plan.last_level))
-      return false;
-  }
-  return text.empty() && 1 <= plan.level && plan.level <= plan.last_level &&
-         plan.last_level <= octree::max_level;
+std::uint64_t stored_plan::shard_rays() const {
+  if (shard_pieces() == 0)
+    return 0;
+  const bool has_last = (pieces() - 1) % shards == shard - 1;
+  return shard_pieces() * piece - (has_last ? piece - rays_of(pieces() - 1) : 0);
 }
 
 expected<campaign_plan> resolve(const stored_plan& stored) {
-  campaign_plan plan;
-  if (stored.external) {
-    plan.owned = std::make_shared<const traversal_entry>(traversal_entry{
-        stored.traversal, "a traversal in another process", nullptr, spelled(*stored.external)});
-  } else {
-    const auto entry = named_traversal(stored.traversal);
-    if (!entry)
-      return unexpected{entry.reason()};
-    plan.owned = std::make_shared<const traversal_entry>(*entry);
-  }
-  plan.under_test = plan.owned.get();
-  for (const std::string& name : stored.generators) {
-    plan.generators.push_back(find_generator(name));
-    if (plan.generators.back() == nullptr)
-      return unexpected{fmt::format("no generator is called \"{}\" (see graze-fuzz list)", name)};
-  }
-  if (plan.generators.empty())
-    return unexpected{"there is no generator"};
-  const auto by = search_of(stored.search);
-  if (!by)
-    return unexpected{fmt::format("no search is called \"{}\"", stored.search)};
-  plan.by = *by;
-  if (!read_levels(stored.level, plan))
-    return unexpected{
-        fmt::format("level {} is outside 1..53 (a number, or a range A-B)", stored.level)};
-  if (!std::isfinite(stored.seconds) || stored.seconds < 0)
-    return unexpected{"--seconds is not a finite number of seconds, 0 or more"};
+  auto plan = resolve(static_cast<const named_plan&>(stored));
+  if (!plan)
+    return plan;
   if (stored.piece < 1 || stored.piece > 1'000'000'000)
     return unexpected{"--piece is outside 1..1000000000"};
   if (stored.shard < 1 || stored.shard > stored.shards)
     return unexpected{
         fmt::format("shard {}/{} is not i/N with 1 <= i <= N", stored.shard, stored.shards)};
-  plan.seed = stored.seed;
   return plan;
 }
 
@@ -309,14 +258,6 @@ std::string to_json_line(const finished_piece& p) {
   for (const sighting& s : p.findings)
     line["findings"].push_back({{"hash", s.hash}, {"kind", name_of(s.kind)}, {"ray", s.ray}});
   return line.dump();
-}
-
-std::string content_hash(std::string_view content) {
-  std::string hash;
-  const boost::uuids::name_generator_sha1 name_of_content{boost::uuids::uuid{}};
-  for (const std::uint8_t byte : name_of_content(content.data(), content.size()))
-    hash += fmt::format("{:02x}", byte);
-  return hash;
 }
 
 finding_file file_of(finding kind, std::string_view traversal, const trial& shrunk) {

@@ -9,7 +9,6 @@
 /// A piece is a fixed range of ray numbers, and what it counts and finds depends on the plan alone.
 /// So a campaign that was killed and went on ends as one that was not.
 #include <campaign/campaign.hpp>
-#include <external/external.hpp>
 #include <graze/support/files.hpp>
 #include <map>
 #include <optional>
@@ -19,16 +18,9 @@
 
 namespace graze::fuzz {
 
-/// What plan.json holds, by the names that the command line uses.
-struct stored_plan {
-  std::string traversal = "sound";          ///< its name; a command where there is `external`
-  std::optional<external_options> external; ///< how the command is driven
-  std::vector<std::string> generators;      ///< none: all
-  std::string search = "generators";        ///< or "climb"
-  std::string level = "50";                 ///< "A" or "A-B", taken in turn
-  std::uint64_t seed = 1;
-  std::uint64_t rays = 0;        ///< of all shards together; 0: no limit
-  double seconds = 0;            ///< of this shard, all its starts together; 0: no limit
+/// What plan.json holds: a plan of all shards together (no generators: all; `seconds` of this shard, all its
+/// starts together), in pieces.
+struct stored_plan : named_plan {
   std::uint64_t piece = 131'072; ///< rays of a piece
   std::uint64_t shard = 1;       ///< this one, of 1..shards: pieces k with k mod shards = shard - 1
   std::uint64_t shards = 1;
@@ -37,15 +29,12 @@ struct stored_plan {
   [[nodiscard]] std::uint64_t pieces() const { return rays / piece + (rays % piece != 0 ? 1 : 0); }
   /// The rays of a piece (the last may be short).
   [[nodiscard]] std::uint64_t rays_of(std::uint64_t number) const;
-  /// The rays of this shard; 0: no limit.
+  /// The pieces of this shard, and their rays; 0: none, or no limit where `rays` is 0.
+  [[nodiscard]] std::uint64_t shard_pieces() const;
   [[nodiscard]] std::uint64_t shard_rays() const;
 };
 
-/// "A" or "A-B", 1 <= A <= B <= 53, put into the plan; false when it is neither.
-bool read_levels(std::string_view text, campaign_plan& plan);
-
-/// The traversal, generators and levels of these names; the reason names what does not exist. A
-/// command is not started: under_test->make is empty.
+/// As resolve(), and refuses pieces and shards that are none.
 expected<campaign_plan> resolve(const stored_plan& stored);
 
 /// One line of findings in a piece.
@@ -86,9 +75,6 @@ expected<finished_piece> piece_from(std::string_view line, const stored_plan& pl
 
 /// The text of plan.json; any text is refused that is none, or of which a part does not exist.
 expected<stored_plan> plan_from(std::string_view text);
-
-/// The name of a file with this content: its UUID (version 5: SHA-1; namespace 0), 32 hex digits.
-std::string content_hash(std::string_view content);
 
 /// A finding's file: one line, which names the kind, the traversal and the ray; and its hash.
 struct finding_file {

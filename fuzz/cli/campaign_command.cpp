@@ -2,38 +2,38 @@
 #include <array>
 #include <campaign/lasting.hpp>
 #include <charconv>
-#include <cli/campaign_command.hpp>
+#include <cli/commands.hpp>
+#include <cli/traversal_options.hpp>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/support/files.hpp>
-#include <graze/support/program.hpp>
-#include <graze/support/progress.hpp>
 #include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
-
-#include <cli/traversal_options.hpp>
+#include <report/summary.hpp>
 
 namespace graze::fuzz {
 
 using namespace support;
 
+namespace {
+
 struct campaign_options {
-  CLI::App* campaign = nullptr;
-  CLI::App* summary = nullptr;
+  CLI::App* app = nullptr;
   stored_plan plan;
-  command_options command;
+  traversal_options traversal;
   std::string folder;
   std::vector<std::string> generators;
   std::string shard = "1/1";
   unsigned threads = default_threads();
   bool json = false;
   bool progress = false;
-
-  std::vector<std::string> folders;
-  std::string html;
 };
 
-namespace {
+struct summary_options {
+  std::vector<std::string> folders;
+  std::string html;
+  bool json = false;
+};
 
 using json = nlohmann::ordered_json;
 
@@ -69,8 +69,8 @@ std::vector<std::string> given_members(const CLI::App& campaign) {
   return given;
 }
 
-/// Tells what `folders` hold together, and writes the page.
-int tell(const std::vector<std::string>& folders, const std::string& page, bool as_json) {
+/// Prints what `folders` hold together, and writes the page.
+int summarize(const std::vector<std::string>& folders, const std::string& page, bool as_json) {
   const auto merged = merge_campaigns(folders);
   if (!merged)
     return bad_input(merged.reason());
@@ -98,22 +98,15 @@ int tell(const std::vector<std::string>& folders, const std::string& page, bool 
 int campaign(campaign_options& options) {
   if (!read_shard(options.shard, options.plan))
     return bad_input(fmt::format("shard {} is not i/N with 1 <= i <= N", options.shard));
-  if (options.threads < 1 || options.threads > most_threads)
-    return bad_input("--threads is outside 1..1024");
-  for (const std::string& name : options.generators) {
-    if (name != "all") {
-      options.plan.generators.push_back(name);
-      continue;
-    }
-    for (const generator& g : generators())
-      options.plan.generators.emplace_back(g.name);
-  }
+  if (const status well = check({.workers = options.threads}); !well)
+    return bad_input(well.reason());
+  options.plan.generators = all_named(options.generators);
   expected<traversal_entry> started = unexpected{std::string()};
-  if (options.command.external.command.empty()) {
-    if (options.campaign->count("--timeout") != 0)
+  if (options.traversal.external.command.empty()) {
+    if (options.app->count("--timeout") != 0)
       return bad_input("--timeout needs --command in a campaign");
   } else {
-    auto external = external_of(options.command);
+    auto external = external_of(options.traversal);
     if (!external)
       return bad_input(external.reason());
     if (utf8(external->command) != external->command)
@@ -123,7 +116,7 @@ int campaign(campaign_options& options) {
     if (started = external_traversal(*external); !started)
       return bad_input(started.reason());
   }
-  auto store = campaign_store::open(options.folder, options.plan, given_members(*options.campaign));
+  auto store = campaign_store::open(options.folder, options.plan, given_members(*options.app));
   if (!store)
     return bad_input(store.reason());
   auto plan = resolve(store->plan());
@@ -134,9 +127,9 @@ int campaign(campaign_options& options) {
       started = external_traversal(*store->plan().external);
     if (!started)
       return bad_input(started.reason());
-    plan->owned = std::make_shared<const traversal_entry>(*started);
-    plan->under_test = plan->owned.get();
+    plan->under_test = *started;
   }
+  plan->workers = options.threads;
 
   listen_for_interrupts();
   const stored_plan& stored = store->plan();
@@ -183,22 +176,22 @@ int campaign(campaign_options& options) {
       line["ray"] = s.ray;
       print("{}\n", json_line(line));
     };
-  const status ran = run_lasting(*store, *plan, options.threads, stop_wanted, listener);
+  const status ran = run_lasting(*store, *plan, stop_wanted, listener);
   end_is_orderly();
   progress.clear();
   if (!ran)
     return bad_input(ran.reason());
   if (interrupted() && !options.json)
     print("interrupted; goes on with: graze-fuzz campaign {}\n", shown(store->folder(), 1000));
-  return tell({store->folder()}, store->folder() + "/summary.html", options.json);
+  return summarize({store->folder()}, store->folder() + "/summary.html", options.json);
 }
 
 } // namespace
 
-campaign_commands::campaign_commands(CLI::App& app)
-    : options_(std::make_unique<campaign_options>()) {
-  campaign_options& o = *options_;
-  CLI::App* c = o.campaign =
+subcommand campaign_command(CLI::App& app) {
+  const auto options = std::make_shared<campaign_options>();
+  campaign_options& o = *options;
+  CLI::App* c = o.app =
       app.add_subcommand("campaign", "Search for long; killed at any time, goes on where it was");
   c->footer(R"(
 Examples:
@@ -212,7 +205,7 @@ Exit code: 0 nothing found, 1 a finding, 2 bad input or a folder that cannot be 
   c->add_option("folder", o.folder, "The campaign's folder; made, or gone on with")->required();
   CLI::Option* named =
       c->add_option("--traversal", o.plan.traversal, "What is under test")->capture_default_str();
-  add_command_options(*c, *named, o.command);
+  add_traversal_options(*c, *named, o.traversal);
   c->add_option("--level", o.plan.level, "Level of the octants, 1 to 53, or a range: 1-50")
       ->capture_default_str();
   c->add_option("--generator", o.generators, "Names of generators, or all (the default)")
@@ -234,26 +227,24 @@ Exit code: 0 nothing found, 1 a finding, 2 bad input or a folder that cannot be 
   c->add_flag("--json", o.json, "Print JSON lines: start, piece, finding, end");
   c->add_flag("--progress", o.progress, "Show progress even if stderr is not a terminal");
 
-  CLI::App* s = o.summary =
-      app.add_subcommand("summary", "What campaigns showed; shards of one are merged");
+  return {c, [options] { return campaign(*options); }};
+}
+
+subcommand summary_command(CLI::App& app) {
+  const auto options = std::make_shared<summary_options>();
+  summary_options& o = *options;
+  CLI::App* s = app.add_subcommand("summary", "What campaigns showed; shards of one are merged");
   s->add_option("folders", o.folders, "Folders of campaigns")->required();
   s->add_option("--html", o.html,
                 "The page (default: summary.html in the folder; of several, in this one)");
   s->add_flag("--json", o.json, "Print one JSON object");
-}
-
-campaign_commands::~campaign_commands() = default;
-
-std::optional<int> campaign_commands::run() const {
-  if (options_->campaign->parsed())
-    return campaign(*options_);
-  if (!options_->summary->parsed())
-    return std::nullopt;
-  std::string page = options_->html;
-  if (page.empty())
-    page = options_->folders.size() == 1 ? options_->folders.front() + "/summary.html"
-                                         : "summary.html";
-  return tell(options_->folders, page, options_->json);
+  return {s, [options] {
+            std::string page = options->html;
+            if (page.empty())
+              page = options->folders.size() == 1 ? options->folders.front() + "/summary.html"
+                                                  : "summary.html";
+            return summarize(options->folders, page, options->json);
+          }};
 }
 
 } // namespace graze::fuzz

@@ -1,23 +1,18 @@
-#include <cli/self_command.hpp>
+#include <cli/commands.hpp>
 #include <cmath>
-#include <graze/support/program.hpp>
-#include <graze/support/progress.hpp>
 #include <self/campaign.hpp>
 
 namespace graze::fuzz {
 
 using namespace support;
 
+namespace {
+
 struct self_options {
-  CLI::App* app = nullptr;
   std::vector<std::string> names;
-  std::uint64_t seed = 1, first = 0, trials = 0;
-  double seconds = 0, seconds_a_trial = 60;
-  unsigned threads = default_threads();
+  self::plan plan;
   bool list = false, json = false, progress = false;
 };
-
-namespace {
 
 int list(bool as_json) {
   for (const self::subject& s : self::subjects()) {
@@ -51,14 +46,14 @@ int run_subjects(const self_options& o) {
   if (o.names.empty())
     for (const self::subject& s : self::subjects())
       chosen.push_back(&s);
-  if (!std::isfinite(o.seconds) || o.seconds < 0)
-    return bad_input("--seconds is not a finite number of seconds, 0 or more");
-  if (!std::isfinite(o.seconds_a_trial) || o.seconds_a_trial <= 0)
+  self::plan plan = o.plan;
+  if (const status well = check(plan); !well)
+    return bad_input(well.reason());
+  if (!std::isfinite(plan.seconds_a_trial) || plan.seconds_a_trial <= 0)
     return bad_input("--timeout is not a finite number of seconds above 0");
-  if (o.threads < 1 || o.threads > most_threads)
-    return bad_input("--threads is outside 1..1024");
-  if (o.trials > ~std::uint64_t{0} - o.first)
+  if (plan.trials > ~std::uint64_t{0} - plan.first)
     return bad_input("--first and --trials together exceed 64 bits");
+  limit(plan);
 
   listen_for_interrupts();
   progress_line line("trials", o.progress);
@@ -66,19 +61,8 @@ int run_subjects(const self_options& o) {
   for (const self::subject* s : chosen) {
     if (stop_wanted)
       break;
-    const self::plan plan{.under_test = s,
-                          .seed = o.seed,
-                          .first = o.first,
-                          .trials = o.trials,
-                          .seconds = o.seconds == 0 && o.trials == 0 ? 5 : o.seconds,
-                          .processes = o.threads,
-                          .seconds_a_trial = o.seconds_a_trial};
-    std::function<void(std::uint64_t, double)> show;
-    if (line.is_shown())
-      show = [&](std::uint64_t trials, double t) {
-        line.show({trials, plan.trials, t, plan.seconds}, std::string(s->name) + ": ");
-      };
-    const auto r = self::run(plan, stop_wanted, show);
+    plan.under_test = s;
+    const auto r = self::run(plan, stop_wanted, shown_on(line, plan, s->name + ": "));
     if (stop_wanted)
       end_is_orderly();
     line.clear();
@@ -93,9 +77,11 @@ int run_subjects(const self_options& o) {
 
 } // namespace
 
-self_command::self_command(CLI::App& app) : options_(std::make_unique<self_options>()) {
-  self_options& o = *options_;
-  CLI::App* c = o.app = app.add_subcommand("self", "Search for flaws of graze itself, not of rays");
+subcommand self_command(CLI::App& app) {
+  const auto options = std::make_shared<self_options>();
+  self_options& o = *options;
+  o.plan.workers = default_threads();
+  CLI::App* c = app.add_subcommand("self", "Search for flaws of graze itself, not of rays");
   c->footer(R"(
 Examples:
   graze-fuzz self                                         each subject for five seconds
@@ -105,28 +91,23 @@ Examples:
 
 Exit code: 0 nothing found, 1 a finding, 2 bad input.)");
   c->add_option("subjects", o.names, "Names of subjects (default: all, one after the other)");
-  c->add_option("--seconds", o.seconds, "Budget of time of each subject (5, if none is given)");
-  c->add_option("--trials", o.trials, "Budget of trials of each subject")->check(whole_number());
-  c->add_option("--first", o.first, "Number of the first trial")
+  c->add_option("--seconds", o.plan.seconds,
+                "Budget of time of each subject (5, if none is given)");
+  c->add_option("--trials", o.plan.trials, "Budget of trials of each subject")
+      ->check(whole_number());
+  c->add_option("--first", o.plan.first, "Number of the first trial")
       ->check(whole_number())
       ->capture_default_str();
-  c->add_option("--seed", o.seed, "Trial k of a seed is always the same trial")
+  c->add_option("--seed", o.plan.seed, "Trial k of a seed is always the same trial")
       ->check(whole_number())
       ->capture_default_str();
-  c->add_option("--threads", o.threads, "Processes at a time")->capture_default_str();
-  c->add_option("--timeout", o.seconds_a_trial, "Seconds after which a trial counts as a hang")
+  c->add_option("--threads", o.plan.workers, "Processes at a time")->capture_default_str();
+  c->add_option("--timeout", o.plan.seconds_a_trial, "Seconds after which a trial counts as a hang")
       ->capture_default_str();
   c->add_flag("--list", o.list, "Print the subjects and their parts");
   c->add_flag("--json", o.json, "Print one JSON object a subject, on a line");
   c->add_flag("--progress", o.progress, "Show progress even if stderr is not a terminal");
-}
-
-self_command::~self_command() = default;
-
-std::optional<int> self_command::run() const {
-  if (!options_->app->parsed())
-    return std::nullopt;
-  return run_subjects(*options_);
+  return {c, [options] { return run_subjects(*options); }};
 }
 
 } // namespace graze::fuzz

@@ -5,7 +5,7 @@
 
 namespace graze::fuzz {
 
-void add_command_options(CLI::App& app, CLI::Option& other, command_options& options) {
+void add_traversal_options(CLI::App& app, CLI::Option& other, traversal_options& options) {
   CLI::Option* command =
       app.add_option("--command", options.external.command,
                      "Under test is this program, driven over stdin and stdout (docs/adapters.md)")
@@ -24,7 +24,7 @@ void add_command_options(CLI::App& app, CLI::Option& other, command_options& opt
       ->needs(command);
 }
 
-expected<external_options> external_of(const command_options& options) {
+expected<external_options> external_of(const traversal_options& options) {
   external_options external = options.external;
   if (!std::isfinite(external.seconds_a_ray) || external.seconds_a_ray <= 0 ||
       external.seconds_a_ray > 1e6)
@@ -40,8 +40,8 @@ expected<external_options> external_of(const command_options& options) {
   return external;
 }
 
-expected<traversal_entry> chosen_traversal(const std::string& name, const command_options& options,
-                                           bool show_errors) {
+expected<traversal_entry> chosen_traversal(const std::string& name,
+                                           const traversal_options& options, bool show_errors) {
   auto external = external_of(options);
   if (!external)
     return unexpected{external.reason()};

@@ -1,6 +1,7 @@
 #pragma once
 /// A traversal in another process, in any language, driven by lines (docs/adapters.md).
 #include <external/line_protocol.hpp>
+#include <traversal/list.hpp>
 
 namespace graze::fuzz {
 

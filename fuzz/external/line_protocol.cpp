@@ -258,12 +258,4 @@ std::optional<hello> read_hello(std::string_view line) {
   return said;
 }
 
-std::optional<promise> promise_of(std::string_view name) {
-  for (const promise p : {promise::touched, promise::owned, promise::crossed,
-                          promise::exactly_touched, promise::exactly_owned})
-    if (name_of(p) == name)
-      return p;
-  return std::nullopt;
-}
-
 } // namespace graze::fuzz

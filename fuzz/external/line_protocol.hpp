@@ -26,7 +26,4 @@ struct hello {
 /// Nothing when the line is something else.
 std::optional<hello> read_hello(std::string_view line);
 
-/// By the names of name_of().
-std::optional<promise> promise_of(std::string_view name);
-
 } // namespace graze::fuzz

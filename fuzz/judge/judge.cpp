@@ -8,26 +8,18 @@
 
 namespace graze::fuzz {
 
-std::string_view name_of(promise p) {
-  switch (p) {
-  case promise::touched:
-    return "touched";
-  case promise::owned:
-    return "owned";
-  case promise::exactly_touched:
-    return "exactly-touched";
-  case promise::exactly_owned:
-    return "exactly-owned";
-  default:
-    return "crossed";
-  }
-}
-
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
       "crash", "hang", "exception", "nan",     "malformed",    "gross-miss", "crossed-miss",
       "gap",   "miss", "order",     "revisit", "far-spurious", "spurious",   "outside"};
   return names[static_cast<unsigned>(f)];
+}
+
+std::optional<finding> finding_of(std::string_view name) {
+  for (unsigned k = 0; k < finding_kinds; ++k)
+    if (name_of(static_cast<finding>(k)) == name)
+      return static_cast<finding>(k);
+  return std::nullopt;
 }
 
 namespace {

@@ -107,6 +107,8 @@ enum class finding : unsigned {
 };
 inline constexpr unsigned finding_kinds = 14;
 std::string_view name_of(finding f);
+/// By the names of name_of().
+std::optional<finding> finding_of(std::string_view name);
 
 using finding_set = unsigned;
 constexpr finding_set bit(finding f) { return 1u << static_cast<unsigned>(f); }

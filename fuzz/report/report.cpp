@@ -1,11 +1,11 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
-#include <judge/replay.hpp>
 #include <nlohmann/json.hpp>
 #include <report/report.hpp>
 #include <shrink/shrink.hpp>
 #include <trial/number.hpp>
+#include <trial/replay_line.hpp>
 
 namespace graze::fuzz {
 
@@ -46,33 +46,6 @@ std::string spelled(const vec3& v) {
 
 } // namespace
 
-std::optional<counterexample> counterexample_of(const campaign_plan& plan,
-                                                const campaign_result& result, bool shrink_it,
-                                                const std::atomic<bool>* stop) {
-  const auto kind = result.worst_finding();
-  if (!kind)
-    return std::nullopt;
-  const auto under_test = plan.under_test->guarded();
-  std::optional<counterexample> simplest;
-  const shrink_deadline end = usual_deadline(); // of all together
-  for (const auto& of_generator : result.first) {
-    const auto& ray = of_generator[static_cast<unsigned>(*kind)];
-    if (!ray || (simplest && std::chrono::steady_clock::now() >= end))
-      continue;
-    const trial found = trial_of(plan, *ray);
-    if (!shrink_it)
-      return counterexample{*kind, *ray, found, found};
-    const trial shrunk = shrink(found, *under_test, *kind, 30'000, end, stop);
-    if (!simplest || complexity_of(shrunk) < complexity_of(simplest->shrunk))
-      simplest = counterexample{*kind, *ray, found, shrunk};
-  }
-  if (simplest && *kind != finding::hang) // each hang costs its whole time
-    if (const auto small = small_witness(*under_test, *kind, 10'000, end, stop);
-        small && complexity_of(*small) < complexity_of(simplest->shrunk))
-      simplest->shrunk = *small;
-  return simplest;
-}
-
 std::string table(const campaign_plan& plan, const campaign_result& result) {
   std::string text =
       fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
@@ -105,11 +78,11 @@ std::string spelled(const trial& t) {
 std::string describe(const campaign_plan& plan, const campaign_result& result,
                      const counterexample& c) {
   std::string text = fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
-                                 name_of(c.kind), support::shown(plan.under_test->name), c.ray,
+                                 name_of(c.kind), support::shown(plan.under_test.name), c.ray,
                                  plan.seed, plan.generators[generator_of(plan, c.ray)]->name,
                                  spelled(c.found), spelled(c.shrunk));
   text += fmt::format("replay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(c.shrunk),
-                      plan.under_test->asked_for());
+                      plan.under_test.asked_for());
   for (unsigned k = 0; k < finding_kinds; ++k) {
     std::optional<std::uint64_t> ray;
     for (const auto& of_generator : result.first)
@@ -125,13 +98,13 @@ std::string describe(const campaign_plan& plan, const campaign_result& result,
 std::string to_json(const campaign_plan& plan, const campaign_result& result,
                     const std::optional<counterexample>& c) {
   json object;
-  object["traversal"] = plan.under_test->name;
-  object["promise"] = name_of(plan.under_test->guarded()->promises());
+  object["traversal"] = plan.under_test.name;
+  object["promise"] = name_of(plan.under_test.guarded()->promises());
   object["level"] = plan.level;
   object["last_level"] = plan.last_level;
-  object["search"] = name_of(plan.by);
+  object["search"] = name_of(plan.method);
   object["seed"] = plan.seed;
-  object["threads"] = plan.threads;
+  object["threads"] = plan.workers;
   put(object, result.total);
   object["seconds"] = result.seconds;
   object["rays_per_second"] =

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <campaign/lasting.hpp>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
 #include <report/report.hpp>
+#include <report/summary.hpp>
 #include <tuple>
 
 namespace graze::fuzz {
@@ -125,7 +125,7 @@ std::string to_text(const merged_campaign& m, const campaign_plan& plan) {
   const campaign_result r = result_of(m);
   std::string text = fmt::format(
       "{} at level {}, seed {}: {} rays in {} pieces, {:.2f} s, {:.0f} rays/s\n{}",
-      plan.under_test->name, m.plan.level, m.plan.seed, r.total.rays, m.state.finished.size(),
+      plan.under_test.name, m.plan.level, m.plan.seed, r.total.rays, m.state.finished.size(),
       r.seconds, r.seconds > 0 ? static_cast<double>(r.total.rays) / r.seconds : 0, table(plan, r));
   const auto findings = sorted_findings(m);
   if (findings.empty())
@@ -135,7 +135,7 @@ std::string to_text(const merged_campaign& m, const campaign_plan& plan) {
     text += fmt::format("{:<15} ray {}, in {} piece{}: graze-fuzz replay {} {}\n",
                         name_of(findings[i].second.kind), findings[i].second.ray,
                         findings[i].second.pieces, findings[i].second.pieces == 1 ? "" : "s",
-                        m.files.at(findings[i].first), plan.under_test->asked_for());
+                        m.files.at(findings[i].first), plan.under_test.asked_for());
   return text + (findings.size() > shown ? fmt::format("... {} findings in all\n", findings.size())
                                          : std::string());
 }
@@ -180,7 +180,7 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
   if (!m.state.findings.empty()) {
     page += "<h2>Findings</h2>\n<table class=\"findings\">\n<tr><th>kind</th><th>first ray</th>"
             "<th>generator</th><th>pieces</th><th>shrunk (graze-fuzz replay FILE " +
-            escaped(plan.under_test->asked_for()) + ")</th></tr>\n";
+            escaped(plan.under_test.asked_for()) + ")</th></tr>\n";
     for (const auto& [hash, known] : sorted_findings(m)) {
       const std::string& file = m.files.at(hash);
       std::error_code error;

@@ -8,7 +8,6 @@
 #include <self/interval_operations.hpp>
 
 #include <self/eight.hpp>
-#include <self/subjects.hpp>
 
 namespace graze::fuzz::self {
 

@@ -29,36 +29,32 @@ double since(clock::time_point start) {
   return std::chrono::duration<double>(clock::now() - start).count();
 }
 
-/// Trials are handed out in pieces of this many: a part that keeps what it made for neighbouring
-/// trials makes it once.
-constexpr std::uint64_t piece = 256;
+/// Trials of a stretch: a part that keeps what it made for neighbouring trials makes it once.
+constexpr std::uint64_t stretch_size = 256;
 constexpr unsigned most_parts = 256;
 /// Seconds that a trial in work is waited for after an interrupt.
 constexpr double patience = 0.3;
-static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "shared by processes");
 
 /// Of one worker, in memory that outlives it.
 struct worker_state {
-  std::atomic<std::uint64_t> next{0}, end{0}; ///< what is left of its piece
+  std::atomic<std::uint64_t> next{0}, end{0}; ///< what is left of its stretch
   std::atomic<std::uint64_t> at{0};           ///< 1 + the trial in work, 0: none
   std::atomic<std::uint64_t> trials[most_parts];
   std::atomic<std::uint64_t> flawed[most_parts][flaw_kinds];
 };
 
-struct shared_state {
-  std::atomic<std::uint64_t> handed_out{0};
-  std::atomic<bool> stop{false};
-};
-
 /// Memory that forked processes share; zeroed.
 template <class T> class shared_array {
 public:
-  static std::optional<shared_array> make(std::size_t count) {
+  template <class... Arguments>
+  static std::optional<shared_array> make(std::size_t count, const Arguments&... arguments) {
     void* at =
         mmap(nullptr, count * sizeof(T), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (at == MAP_FAILED)
       return std::nullopt;
-    return shared_array(new (at) T[count], count);
+    for (std::size_t i = 0; i < count; ++i)
+      new (static_cast<T*>(at) + i) T(arguments...);
+    return shared_array(static_cast<T*>(at), count);
   }
   shared_array(shared_array&& other) noexcept
       : at_(std::exchange(other.at_, nullptr)), count_(other.count_) {}
@@ -95,20 +91,20 @@ void write_all(int to, const void* from, std::size_t size) {
 /// A worker's life.
 class worker {
 public:
-  worker(const plan& p, shared_state& shared, worker_state& mine, int to)
-      : plan_(p), shared_(shared), mine_(mine), to_(to), told_(parts().size()) {}
+  worker(const plan& p, schedule& stretches, worker_state& mine, int to)
+      : plan_(p), stretches_(stretches), mine_(mine), to_(to), reported_(parts().size()) {}
 
   void run() {
-    while (!shared_.stop.load(std::memory_order_relaxed)) {
+    while (!stretches_.has_ended()) {
       std::uint64_t k = mine_.next.load(std::memory_order_relaxed);
       if (k == mine_.end.load(std::memory_order_relaxed)) {
-        k = shared_.handed_out.fetch_add(piece);
-        if (plan_.trials != 0 && k >= plan_.trials)
+        const auto taken = stretches_.take();
+        if (!taken)
           return;
-        mine_.next = k;
-        mine_.end = plan_.trials != 0 ? std::min(k + piece, plan_.trials) : k + piece;
+        mine_.next = k = taken->begin;
+        mine_.end = taken->end;
       }
-      one(plan_.first + k);
+      examine(plan_.first + k);
       mine_.next = k + 1;
     }
   }
@@ -116,7 +112,7 @@ public:
 private:
   [[nodiscard]] const std::vector<part>& parts() const { return plan_.under_test->parts; }
 
-  void one(std::uint64_t trial) {
+  void examine(std::uint64_t trial) {
     const std::size_t p = trial % parts().size();
     seen_.clear();
     mine_.at.store(trial + 1, std::memory_order_relaxed);
@@ -134,48 +130,48 @@ private:
         continue;
       kinds |= 1u << kind;
       mine_.flawed[p][kind].fetch_add(1, std::memory_order_relaxed);
-      if ((told_[p] >> kind & 1) == 0) // a worker's trials only go up: this is its lowest
-        tell(trial, kind, o.what);
-      told_[p] |= 1u << kind;
+      if ((reported_[p] >> kind & 1) == 0) // a worker's trials only go up: this is its lowest
+        report(trial, kind, o.what);
+      reported_[p] |= 1u << kind;
     }
     mine_.trials[p].fetch_add(1, std::memory_order_relaxed);
     mine_.at.store(0, std::memory_order_relaxed);
   }
 
-  void tell(std::uint64_t trial, unsigned kind, const std::string& what) {
+  void report(std::uint64_t trial, unsigned kind, const std::string& what) {
     const message_head head{trial, kind, static_cast<std::uint32_t>(what.size())};
     write_all(to_, &head, sizeof head);
     write_all(to_, what.data(), what.size());
   }
 
   const plan& plan_;
-  shared_state& shared_;
+  schedule& stretches_;
   worker_state& mine_;
   int to_;
-  std::vector<unsigned> told_; ///< by part: the kinds
+  std::vector<unsigned> reported_; ///< of each part, the kinds
   observations seen_;
 };
 
 /// The campaign as its parent process sees it.
 class supervisor {
 public:
-  supervisor(const plan& p, shared_array<shared_state> shared, shared_array<worker_state> states)
-      : plan_(p), shared_(std::move(shared)), states_(std::move(states)), children_(p.processes) {
+  supervisor(const plan& p, shared_array<schedule> stretches, shared_array<worker_state> states)
+      : plan_(p), stretches_(std::move(stretches)), states_(std::move(states)),
+        children_(p.workers) {
     for (child& c : children_)
       c.silent_since = clock::now();
   }
 
-  expected<result> run(const std::atomic<bool>& stop,
-                       const std::function<void(std::uint64_t, double)>& progress) {
+  expected<result> run(const std::atomic<bool>& stop, const progress_listener& progress) {
     for (std::size_t i = 0; i < children_.size(); ++i)
       if (!start(i))
         return give_up();
     double shown = 0;
     while (running() != 0) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      const double now = since(begin_);
-      if (stop.load() || (plan_.seconds != 0 && now >= plan_.seconds))
-        shared_[0].stop = true;
+      const double now = stretches().seconds();
+      if (stop.load())
+        stretches().end(); // the children's copies of `stop` do not change
       if (stop.load() && !stopped_)
         stopped_ = clock::now();
       if (stopped_ && since(*stopped_) > patience)
@@ -220,7 +216,7 @@ private:
       setrlimit(RLIMIT_CORE, &no_core);
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (getppid() == parent)
-        worker(plan_, shared_[0], states_[i], ends[1]).run();
+        worker(plan_, stretches(), states_[i], ends[1]).run();
       _exit(0);
     }
     close(ends[1]);
@@ -265,7 +261,7 @@ private:
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
       return true;
     record_end(i, status);
-    return shared_[0].stop.load() || start(i);
+    return stretches().has_ended() || start(i);
   }
 
   /// A worker that did not end by itself: the trial in work is a finding.
@@ -314,6 +310,7 @@ private:
     return static_cast<std::size_t>(std::count_if(children_.begin(), children_.end(),
                                                   [](const child& c) { return c.pid != 0; }));
   }
+  schedule& stretches() { return stretches_[0]; }
   std::uint64_t trials() {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < children_.size(); ++i)
@@ -349,34 +346,33 @@ private:
     std::sort(r.findings.begin(), r.findings.end(), [](const finding& a, const finding& b) {
       return std::pair(a.kind, a.trial) < std::pair(b.kind, b.trial);
     });
-    r.seconds = since(begin_);
+    r.seconds = stretches().seconds();
     r.interrupted = interrupted;
     return r;
   }
 
   const plan& plan_;
-  shared_array<shared_state> shared_;
+  shared_array<schedule> stretches_;
   shared_array<worker_state> states_;
   std::vector<child> children_;
   std::map<std::pair<flaw, std::string>, finding> findings_;
-  clock::time_point begin_ = clock::now();
   std::optional<clock::time_point> stopped_;
 };
 
 } // namespace
 
 expected<result> run(const plan& p, const std::atomic<bool>& stop,
-                     const std::function<void(std::uint64_t, double)>& progress) {
+                     const progress_listener& progress) {
   if (p.under_test == nullptr || p.under_test->parts.empty() ||
       p.under_test->parts.size() > most_parts)
     return unexpected{"the subject has no parts, or more than 256"};
-  auto shared = shared_array<shared_state>::make(1);
-  auto states = shared_array<worker_state>::make(std::max(1u, p.processes));
-  if (!shared || !states)
+  if (const auto well = check(p); !well)
+    return unexpected{well.reason()};
+  auto stretches = shared_array<schedule>::make(1, p, stretch_size, stop);
+  auto states = shared_array<worker_state>::make(p.workers);
+  if (!stretches || !states)
     return unexpected{"no memory to share with processes"};
-  plan of_one = p;
-  of_one.processes = std::max(1u, p.processes);
-  return supervisor(of_one, std::move(*shared), std::move(*states)).run(stop, progress);
+  return supervisor(p, std::move(*stretches), std::move(*states)).run(stop, progress);
 }
 
 } // namespace graze::fuzz::self

@@ -1,19 +1,15 @@
 #pragma once
 /// A campaign on one subject of our own code: trials in processes of their own, so that a crash or
 /// an endless loop is a finding and not the campaign's end.
-#include <atomic>
+#include <campaign/schedule.hpp>
 #include <graze/expected.hpp>
 #include <self/subject.hpp>
 
 namespace graze::fuzz::self {
 
-struct plan {
+/// The workers are processes.
+struct plan : trial_plan {
   const subject* under_test = nullptr;
-  std::uint64_t seed = 1;
-  std::uint64_t first = 0;     ///< number of the first trial
-  std::uint64_t trials = 0;    ///< 0: no limit
-  double seconds = 0;          ///< 0: no limit
-  unsigned processes = 1;      ///< 1..1024
   double seconds_a_trial = 60; ///< until a trial counts as a hang
 };
 
@@ -41,9 +37,8 @@ struct result {
 /// Runs until a budget is used up or `stop` is true; trials in work are finished and counted. A
 /// plan with `trials` counts and finds the same with any number of processes. Call it from a
 /// program of one thread: it forks. Refuses where the system gives no process or memory.
-/// `progress(trials, seconds)` is called about ten times a second.
 [[nodiscard]] expected<result> run(const plan& p, const std::atomic<bool>& stop,
-                                   const std::function<void(std::uint64_t, double)>& progress = {});
+                                   const progress_listener& progress = {});
 
 /// The command that repeats a finding alone.
 std::string command_of(const plan& p, const finding& f);

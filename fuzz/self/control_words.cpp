@@ -14,7 +14,6 @@
 #include <graze/rounding/switching.hpp>
 #include <self/control_words.hpp>
 #include <self/interval_operations.hpp>
-#include <self/subjects.hpp>
 
 namespace graze::fuzz::self {
 

@@ -108,4 +108,6 @@ template <class B> part backend_words(std::string name, callers_words callers) {
           }};
 }
 
+subject control_words_subject();
+
 } // namespace graze::fuzz::self

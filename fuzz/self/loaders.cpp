@@ -14,7 +14,6 @@
 #include <zlib.h>
 
 #include <self/damage.hpp>
-#include <self/subjects.hpp>
 
 namespace graze::fuzz::self {
 

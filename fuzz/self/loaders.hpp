@@ -2,8 +2,8 @@
 /// Trials of what reads files: valid bytes, damaged, must be refused with a reason, or mean what
 /// they say. Input ends where readable memory ends, so that reading beyond it is a crash.
 #include <graze/octree_file.hpp>
-#include <judge/replay.hpp>
 #include <self/subject.hpp>
+#include <trial/replay_line.hpp>
 
 namespace graze::fuzz::self {
 

@@ -5,13 +5,6 @@
 
 namespace graze::fuzz::self {
 
-std::string_view name_of(flaw f) {
-  static constexpr std::array<std::string_view, flaw_kinds> names{
-      "crash",    "hang",    "unsound",    "wrong-empty", "dropped", "control-word",
-      "accepted", "meaning", "difference", "decoration",  "loose",   "no-reason"};
-  return names[static_cast<unsigned>(f)];
-}
-
 std::string command_of(const plan& p, const finding& f) {
   return fmt::format("graze-fuzz self {} --seed {} --first {} --trials 1", p.under_test->name,
                      p.seed, f.trial);

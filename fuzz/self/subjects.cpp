@@ -3,10 +3,19 @@
 #include <self/formula.hpp>
 #include <self/interval_operations.hpp>
 #include <self/loaders.hpp>
-#include <self/subjects.hpp>
+#if defined(__x86_64__)
+#include <self/control_words.hpp>
+#endif
 #include <self/voxelizer.hpp>
 
 namespace graze::fuzz::self {
+
+std::string_view name_of(flaw f) {
+  static constexpr std::array<std::string_view, flaw_kinds> names{
+      "crash",    "hang",    "unsound",    "wrong-empty", "dropped", "control-word",
+      "accepted", "meaning", "difference", "decoration",  "loose",   "no-reason"};
+  return names[static_cast<unsigned>(f)];
+}
 
 /// The one list: a new subject is a function in a file of its own, and a line here.
 const std::vector<subject>& subjects() {

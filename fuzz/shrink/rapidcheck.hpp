@@ -4,10 +4,10 @@
 /// subnormal, shrink by truncation and print six digits.
 #include <generate/generators.hpp>
 #include <generate/mutate.hpp>
-#include <judge/replay.hpp>
 #include <ostream>
 #include <rapidcheck.h>
 #include <shrink/shrink.hpp>
+#include <trial/replay_line.hpp>
 
 namespace graze::fuzz {
 

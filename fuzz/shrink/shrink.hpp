@@ -4,7 +4,6 @@
 #include <chrono>
 #include <functional>
 #include <judge/judge.hpp>
-#include <optional>
 #include <vector>
 
 namespace graze::fuzz {
@@ -41,14 +40,5 @@ inline shrink_deadline usual_deadline() {
 trial shrink(const trial& failing, traversal& under_test, finding kind,
              unsigned evaluations = 30'000, shrink_deadline end = usual_deadline(),
              const std::atomic<bool>* stop = nullptr);
-
-/// The simplest of a few shrunk trials of this kind of finding that were small from the start
-/// (levels 1 to 3, unit octants, integers of few bits first); nothing if none fails. Always the
-/// same for a deterministic traversal. It need not be the same mistake as another finding of the
-/// kind.
-std::optional<trial> small_witness(traversal& under_test, finding kind,
-                                   unsigned evaluations = 10'000,
-                                   shrink_deadline end = usual_deadline(),
-                                   const std::atomic<bool>* stop = nullptr);
 
 } // namespace graze::fuzz

@@ -1,7 +1,6 @@
-/// Greedy shrinking stops where every simpler trial passes; a small scene made anew often fails.
 #include <generate/generators.hpp>
 #include <generate/site.hpp>
-#include <shrink/shrink.hpp>
+#include <shrink/small_witness.hpp>
 
 namespace graze::fuzz {
 

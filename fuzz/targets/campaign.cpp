@@ -3,6 +3,7 @@
 #include "target.hpp"
 #include <campaign/store.hpp>
 #include <graze/support/text.hpp>
+#include <trial/content_hash.hpp>
 
 using namespace graze::fuzz;
 

@@ -6,7 +6,8 @@
 #include <generate/generators.hpp>
 #include <generate/mutate.hpp>
 #include <judge/judge.hpp>
-#include <judge/replay.hpp>
+#include <traversal/list.hpp>
+#include <trial/replay_line.hpp>
 
 using namespace graze::fuzz;
 

@@ -4,7 +4,6 @@
 /// codes: 0 all held (else the target aborts), 2 bad input.
 #include "target.hpp"
 #include <algorithm>
-#include <campaign/store.hpp>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
@@ -13,6 +12,7 @@
 #include <graze/rounding/environment.hpp>
 #include <iterator>
 #include <sys/resource.h>
+#include <trial/content_hash.hpp>
 
 // the target's own, where it has one
 extern "C" [[gnu::weak]] std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,

@@ -1,6 +1,6 @@
 /// voxel_rays.hpp under test: its lanes, on the path that is in use (GRAZE_BATCH_PATH).
 #include <graze/octree/voxel_rays.hpp>
-#include <traversal/traversal.hpp>
+#include <traversal/list.hpp>
 
 namespace graze::fuzz {
 

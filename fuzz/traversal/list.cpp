@@ -4,6 +4,7 @@
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/switching.hpp>
 #include <graze/rounding/upward.hpp>
+#include <traversal/list.hpp>
 #include <traversal/method_traversal.hpp>
 
 namespace graze::fuzz {

@@ -2,6 +2,7 @@
 #include <graze/octree/sound.hpp>
 #include <graze/rounding/upward.hpp>
 #include <stdexcept>
+#include <traversal/list.hpp>
 #include <traversal/method_traversal.hpp>
 #include <utility>
 

@@ -1,6 +1,7 @@
 /// The traversals that are written here from their papers (fuzz/peers), driven through a trial's block.
 #include <graze/oracle/rational.hpp>
 #include <peers/list.hpp>
+#include <traversal/list.hpp>
 #include <traversal/method_traversal.hpp>
 
 namespace graze::fuzz {

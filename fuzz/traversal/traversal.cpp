@@ -1,7 +1,7 @@
 /// Traversals that throw: what they throw is their answer.
 #include <exception>
 #include <external/peer_process.hpp>
-#include <traversal/traversal.hpp>
+#include <traversal/list.hpp>
 
 namespace graze::fuzz {
 
@@ -76,6 +76,29 @@ private:
 };
 
 } // namespace
+
+std::string_view name_of(promise p) {
+  switch (p) {
+  case promise::touched:
+    return "touched";
+  case promise::owned:
+    return "owned";
+  case promise::exactly_touched:
+    return "exactly-touched";
+  case promise::exactly_owned:
+    return "exactly-owned";
+  default:
+    return "crossed";
+  }
+}
+
+std::optional<promise> promise_of(std::string_view name) {
+  for (const promise p : {promise::touched, promise::owned, promise::crossed,
+                          promise::exactly_touched, promise::exactly_owned})
+    if (name_of(p) == name)
+      return p;
+  return std::nullopt;
+}
 
 std::size_t traversal::visit_some(std::span<const trial> trials, std::span<visited> out) {
   for (std::size_t i = 0; i < trials.size(); ++i) {

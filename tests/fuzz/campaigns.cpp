@@ -63,10 +63,10 @@ TEST_CASE("fuzz.campaign: the lanes keep their promises to level 20 and decline 
 TEST_CASE("fuzz.campaign: counts and first findings do not depend on the number of threads",
           "[property]") {
   campaign_plan plan = plan_of("published", 40, 20'001);
-  plan.threads = 1;
+  plan.workers = 1;
   const campaign_result one = run(plan);
   for (const unsigned threads : {2u, 3u, 7u}) {
-    plan.threads = threads;
+    plan.workers = threads;
     const campaign_result many = run(plan);
     CHECK(many.first == one.first);
     REQUIRE(many.by_generator.size() == one.by_generator.size());
@@ -83,8 +83,8 @@ TEST_CASE("fuzz.campaign: a piece of a campaign counts the same rays", "[propert
   const counts whole = run(plan).total;
   counts pieces;
   for (const std::uint64_t from : {0, 2000, 4000}) {
-    plan.first_ray = from;
-    plan.rays = 2000;
+    plan.first = from;
+    plan.trials = 2000;
     pieces += run(plan).total;
   }
   CHECK(pieces == whole);

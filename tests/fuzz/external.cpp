@@ -32,8 +32,8 @@ traversal_entry started(const external_options& options) {
 campaign_result campaign(const traversal_entry& entry, std::uint64_t rays, unsigned threads = 2,
                          int level = 10) {
   campaign_plan plan = plan_of("sound", level, rays);
-  plan.under_test = &entry;
-  plan.threads = threads;
+  plan.under_test = entry;
+  plan.workers = threads;
   return run(plan);
 }
 

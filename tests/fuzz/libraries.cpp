@@ -22,8 +22,8 @@ std::optional<traversal_entry> find_library(std::string_view name) {
 
 counts of(const traversal_entry& entry, std::string_view generator, std::uint64_t rays) {
   campaign_plan plan = plan_of("sound", 10, rays, generator);
-  plan.under_test = &entry;
-  plan.threads = 1;
+  plan.under_test = entry;
+  plan.workers = 1;
   const counts c = run(plan).total;
   CHECK(c.rays == rays);
   CHECK(c.faults == 0);
@@ -92,7 +92,7 @@ TEST_CASE("fuzz.libraries: CGAL's octree is not accused", "[property]") {
     if (!entry)
       return;
     campaign_plan plan = plan_of("sound", 10, 1500);
-    plan.under_test = &*entry;
+    plan.under_test = *entry;
     const counts c = run(plan).total;
     INFO(name);
     CHECK(c.findings == 0);
@@ -107,7 +107,7 @@ TEST_CASE("fuzz.libraries: CGAL with exact predicates is not accused", "[propert
       return;
     for (const int level : {1, 10, 53}) {
       campaign_plan plan = plan_of("sound", level, 1500);
-      plan.under_test = &*entry;
+      plan.under_test = *entry;
       const counts c = run(plan).total;
       INFO(name << " at level " << level);
       CHECK(c.findings == 0);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <shrink/rapidcheck.hpp>
 #include <sstream>
+#include <traversal/list.hpp>
 #include <trial/codec.hpp>
 
 using namespace graze::fuzz;

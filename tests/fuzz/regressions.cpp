@@ -1,6 +1,7 @@
 /// Every case on record stays a test: the oracle says touched, sound visits, the baseline misses.
 #include <catch2/catch.hpp>
 #include <judge/replay.hpp>
+#include <traversal/list.hpp>
 #include <xmmintrin.h>
 
 using namespace graze::fuzz;

@@ -7,7 +7,8 @@
 #include <optional>
 #include <report/reproducer/reproducer.hpp>
 #include <set>
-#include <shrink/shrink.hpp>
+#include <shrink/small_witness.hpp>
+#include <traversal/list.hpp>
 #include <trial/number.hpp>
 
 using namespace graze::fuzz;

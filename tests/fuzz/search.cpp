@@ -5,6 +5,7 @@
 #include <gmpxx.h>
 #include <judge/replay.hpp>
 #include <limits>
+#include <traversal/list.hpp>
 #include <trial/codec.hpp>
 #include <trial/number.hpp>
 
@@ -181,7 +182,7 @@ TEST_CASE("fuzz.margin: what it tells is the definition's value for an edge of t
 
 TEST_CASE("fuzz.climb: goes down, and does not depend on where it is joined", "[property]") {
   campaign_plan plan = plan_of("sound", 10, 0, "random");
-  plan.by = search::climb;
+  plan.method = search::climb;
   unsigned arrived = 0;
   for (std::uint64_t number = 0; number < 20; ++number) {
     climber climb(make_trial(*plan.generators[0], plan.seed, number, 10), plan.seed, number);
@@ -201,10 +202,10 @@ TEST_CASE("fuzz.climb: goes down, and does not depend on where it is joined", "[
 
 TEST_CASE("fuzz.climb: counts and findings do not depend on the number of threads", "[property]") {
   campaign_plan plan = plan_of("published", 10, 10'000, "random");
-  plan.by = search::climb;
-  plan.threads = 1;
+  plan.method = search::climb;
+  plan.workers = 1;
   const campaign_result one = run(plan);
-  plan.threads = 3;
+  plan.workers = 3;
   const campaign_result many = run(plan);
   CHECK(many.first == one.first);
   CHECK(many.total == one.total);
@@ -216,7 +217,7 @@ TEST_CASE("fuzz.climb: finds from random rays what random rays do not find", "[p
       campaign_plan plan = plan_of(name, level, 20'000, "random");
       INFO(name << " at level " << level);
       CHECK(run(plan).total.findings == 0);
-      plan.by = search::climb;
+      plan.method = search::climb;
       CHECK(run(plan).total.findings > 0);
     }
 }
@@ -225,7 +226,7 @@ TEST_CASE("fuzz.climb: finds nothing in what is sound", "[property]") {
   for (const char* name : {"sound", "sound-closed", "sound-split", "exact", "exact-closed"}) {
     campaign_plan plan = plan_of(name, 1, 40'000);
     plan.last_level = 53;
-    plan.by = search::climb;
+    plan.method = search::climb;
     const campaign_result result = run(plan);
     INFO(name);
     CHECK(result.total.rays == 40'000);

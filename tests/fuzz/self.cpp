@@ -29,8 +29,7 @@ const std::atomic<bool> never{false};
 
 result campaign(const subject& s, std::uint64_t trials, unsigned processes = 2,
                 std::uint64_t first = 0) {
-  const plan p{
-      .under_test = &s, .seed = 1, .first = first, .trials = trials, .processes = processes};
+  const plan p{{.seed = 1, .first = first, .trials = trials, .workers = processes}, &s};
   const auto r = run(p, never);
   REQUIRE(r);
   INFO(to_text(p, *r));
@@ -302,7 +301,7 @@ TEST_CASE("fuzz.self: a crash, an exception and a hang are findings, and the cam
                                 while (true)
                                   pause();
                               }});
-  const plan p{.under_test = &endless, .trials = 2, .processes = 1, .seconds_a_trial = 0.05};
+  const plan p{{.trials = 2}, &endless, 0.05};
   const auto r = run(p, never);
   REQUIRE(r);
   CHECK(r->trials == 2);
@@ -323,13 +322,13 @@ TEST_CASE("fuzz.self: the same counts and findings with any number of processes"
 TEST_CASE("fuzz.self: what was found is kept when a campaign is stopped", "[unit]") {
   const subject s = with_change(interval_operations(), "mul", one_ulp_inward);
   std::atomic<bool> stop{false};
-  const plan p{.under_test = &s, .processes = 2};
+  const plan p{{.workers = 2}, &s};
   const auto r = run(p, stop, [&stop](std::uint64_t trials, double) { stop = trials > 500; });
   REQUIRE(r);
   CHECK(r->interrupted);
   CHECK(r->trials > 500);
   CHECK_FALSE(r->findings.empty());
   const subject nothing{"nothing", "", {}};
-  const plan refused{.under_test = &nothing};
+  const plan refused{{}, &nothing};
   CHECK_FALSE(run(refused, never));
 }

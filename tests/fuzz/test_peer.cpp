@@ -7,7 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <traversal/traversal.hpp>
+#include <traversal/list.hpp>
 #include <unistd.h>
 
 using namespace graze::fuzz;

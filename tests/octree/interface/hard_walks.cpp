@@ -7,7 +7,7 @@
 #include <graze/octree/tree_rays.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <set>
-#include <traversal/traversal.hpp>
+#include <traversal/list.hpp>
 
 using namespace graze;
 using namespace graze::interface_tests;
