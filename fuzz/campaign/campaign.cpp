@@ -7,7 +7,7 @@ namespace graze::fuzz {
 
 namespace {
 
-std::uint64_t size_of(voxel_set set) { return static_cast<std::uint64_t>(std::popcount(set)); }
+std::uint64_t size_of(octant_set set) { return static_cast<std::uint64_t>(std::popcount(set)); }
 
 void keep_lower(std::optional<std::uint64_t>& lowest, std::uint64_t ray) {
   if (!lowest || ray < *lowest)
@@ -53,23 +53,10 @@ void counts::add(const verdict& v) {
 }
 
 counts& counts::operator+=(const counts& other) {
-  rays += other.rays;
-  touched += other.touched;
-  misses += other.misses;
-  rays_with_miss += other.rays_with_miss;
-  crossed_missed += other.crossed_missed;
-  gross_missed += other.gross_missed;
-  touched_missed += other.touched_missed;
-  gaps += other.gaps;
-  visited += other.visited;
-  spurious += other.spurious;
-  far_spurious += other.far_spurious;
-  order_errors += other.order_errors;
-  revisits += other.revisits;
-  findings += other.findings;
-  faults += other.faults;
-  declined += other.declined;
-  return *this;
+  auto sum = std::bit_cast<count_row>(*this);
+  const auto more = std::bit_cast<count_row>(other);
+  std::transform(sum.begin(), sum.end(), more.begin(), sum.begin(), std::plus<>());
+  return *this = std::bit_cast<counts>(sum);
 }
 
 void campaign_result::add(const campaign_result& other) {

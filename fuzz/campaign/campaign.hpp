@@ -37,6 +37,9 @@ struct counts {
   friend bool operator==(const counts&, const counts&) = default;
 };
 
+/// The counts as they stand in the struct, so that a new one is nowhere forgotten.
+using count_row = std::array<std::uint64_t, sizeof(counts) / sizeof(std::uint64_t)>;
+
 struct campaign_result {
   explicit campaign_result(std::size_t generators = 0)
       : by_generator(generators), first(generators) {}

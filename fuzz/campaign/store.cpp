@@ -21,9 +21,6 @@ constexpr std::uint64_t largest_plan = 1 << 20;
 constexpr std::size_t longest_line = 1 << 20; ///< of progress.jsonl
 namespace files = std::filesystem;
 
-/// The counts of a generator as they stand in the struct, so that a new one is not forgotten here.
-using count_row = std::array<std::uint64_t, sizeof(counts) / sizeof(std::uint64_t)>;
-
 json to_json(const std::optional<external_options>& e) {
   return e ? json{{"promise", e->promised ? json(name_of(*e->promised)) : json()},
                   {"plain", e->format == line_format::plain},
@@ -108,23 +105,23 @@ finished_piece read_piece(std::string_view text, const stored_plan& plan) {
     refuse(fmt::format("piece {} is not of this plan", p.number));
   std::uint64_t rays = 0;
   for (const auto& row : line.at("counts").get<std::vector<std::vector<std::uint64_t>>>()) {
-    count_row of{};
-    if (row.size() != of.size())
+    count_row values{};
+    if (row.size() != values.size())
       refuse("its counts are those of another version of graze-fuzz");
-    std::copy(row.begin(), row.end(), of.begin());
-    p.by_generator.push_back(std::bit_cast<counts>(of));
+    std::copy(row.begin(), row.end(), values.begin());
+    p.by_generator.push_back(std::bit_cast<counts>(values));
     rays += p.by_generator.back().rays;
   }
   if (p.by_generator.size() != plan.generators.size() || rays != plan.rays_of(p.number))
     refuse("its counts are not of this plan");
-  for (const read_json& of : line.at("findings")) {
-    const auto kind = finding_of(of.at("kind").get<std::string>());
+  for (const read_json& shown : line.at("findings")) {
+    const auto kind = finding_of(shown.at("kind").get<std::string>());
     if (!kind)
       refuse("it has a finding of another version of graze-fuzz");
-    auto hash = of.at("hash").get<std::string>();
+    auto hash = shown.at("hash").get<std::string>();
     if (!support::is_content_hash(hash)) // it is a file's name, and stands in the page
       refuse("the hash of a finding is not 32 hex digits");
-    p.findings.push_back({std::move(hash), *kind, of.at("ray").get<std::uint64_t>()});
+    p.findings.push_back({std::move(hash), *kind, shown.at("ray").get<std::uint64_t>()});
   }
   return p;
 }

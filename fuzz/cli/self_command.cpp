@@ -1,5 +1,7 @@
 #include <cli/commands.hpp>
 #include <cmath>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <self/campaign.hpp>
 
 namespace graze::fuzz {
@@ -16,18 +18,13 @@ struct self_options {
 
 int list(bool as_json) {
   for (const self::subject& s : self::subjects()) {
-    std::string parts;
+    std::vector<std::string> parts;
     for (const self::part& p : s.parts)
-      parts += fmt::format("{}{}{}",
-                           parts.empty() ? ""
-                           : as_json     ? ","
-                                         : " ",
-                           as_json ? "\"" : "", p.name) +
-               (as_json ? "\"" : "");
+      parts.push_back(p.name);
     if (as_json)
-      print("{{\"subject\":\"{}\",\"parts\":[{}]}}\n", s.name, parts);
+      print("{}\n", nlohmann::ordered_json{{"subject", s.name}, {"parts", parts}}.dump());
     else
-      print("{:<15} {}\n{:<15} {}\n", s.name, s.summary, "", parts);
+      print("{:<15} {}\n{:<15} {}\n", s.name, s.summary, "", fmt::join(parts, " "));
   }
   return 0;
 }

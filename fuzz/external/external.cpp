@@ -18,7 +18,7 @@ clock::duration in_seconds(double s) {
 }
 
 /// What all processes of one command share.
-struct plan {
+struct command_plan {
   external_options options;
   std::string name, summary;
   promise promised = promise::crossed;
@@ -31,7 +31,7 @@ received_ray rounded(const trial& t) {
 
 class external final : public traversal {
 public:
-  explicit external(std::shared_ptr<const plan> p)
+  explicit external(std::shared_ptr<const command_plan> p)
       : plan_(std::move(p)), process_(plan_->options.command, plan_->options.show_errors) {}
 
   [[nodiscard]] std::string_view name() const override { return plan_->name; }
@@ -57,7 +57,7 @@ public:
   }
 
   /// The reason why the command is none, or nothing; `hello` and the time it took are told.
-  std::string probe(hello& said, double& seconds) {
+  std::string probe(hello& greeting, double& seconds) {
     trial t; // through the interiors of two octants, by other numbers on each axis
     t.origin = {0.3125, 0.28125, -0.5};
     t.direction = {0.03125, 0.0625, 1};
@@ -66,7 +66,7 @@ public:
     visited out;
     alone(t, out);
     seconds = std::chrono::duration<double>(clock::now() - start).count();
-    said = hello_;
+    greeting = hello_;
     if (!hello_.wrong.empty())
       return fmt::format("its promise \"{}\" is none of touched, owned, crossed, exactly-touched, "
                          "exactly-owned",
@@ -148,8 +148,8 @@ private:
         break;
       }
       if (std::exchange(fresh_, false))
-        if (auto said = read_hello(line_)) {
-          hello_ = std::move(*said);
+        if (auto greeting = read_hello(line_)) {
+          hello_ = std::move(*greeting);
           deadline = clock::now() + in_seconds(plan_->options.seconds_a_ray);
           continue;
         }
@@ -212,7 +212,7 @@ private:
     return answered;
   }
 
-  std::shared_ptr<const plan> plan_;
+  std::shared_ptr<const command_plan> plan_;
   peer_process process_;
   bool fresh_ = true; ///< the process has said nothing yet
   hello hello_;
@@ -222,7 +222,7 @@ private:
   fault suspected_ = fault::none;
 };
 
-traversal_entry entry_of(const std::shared_ptr<const plan>& p, std::string options) {
+traversal_entry entry_of(const std::shared_ptr<const command_plan>& p, std::string options) {
   return {p->name, p->summary, [p] { return std::unique_ptr<traversal>(new external(p)); },
           std::move(options)};
 }
@@ -250,18 +250,18 @@ std::string spelled(const external_options& options) {
 }
 
 expected<traversal_entry> external_traversal(const external_options& options) {
-  const auto shared =
-      std::make_shared<plan>(plan{options, options.command, "a traversal in another process",
-                                  promise::crossed, options.start_seconds});
-  hello said;
+  const auto shared = std::make_shared<command_plan>(
+      command_plan{options, options.command, "a traversal in another process", promise::crossed,
+                   options.start_seconds});
+  hello greeting;
   double seconds = 0;
   {
-    auto first = std::make_shared<plan>(*shared);
+    auto first = std::make_shared<command_plan>(*shared);
     first->options.show_errors = true; // why it does not work is for the user to see
-    if (std::string why = external(first).probe(said, seconds); !why.empty())
+    if (std::string why = external(first).probe(greeting, seconds); !why.empty())
       return unexpected{fmt::format("the command {} {}", shell_word(options.command), why)};
   }
-  shared->promised = options.promised.value_or(said.promised.value_or(promise::crossed));
+  shared->promised = options.promised.value_or(greeting.promised.value_or(promise::crossed));
   // others start as fast, or, on a machine that is busy, ten times slower
   shared->start_seconds = std::max(1.0, 10 * seconds);
   return entry_of(shared, spelled(options));
@@ -269,9 +269,9 @@ expected<traversal_entry> external_traversal(const external_options& options) {
 
 traversal_entry untried_external_traversal(const external_options& options, std::string_view name,
                                            std::string_view summary) {
-  return entry_of(std::make_shared<plan>(plan{options, std::string(name), std::string(summary),
-                                              options.promised.value_or(promise::crossed),
-                                              options.start_seconds}),
+  return entry_of(std::make_shared<command_plan>(command_plan{
+                      options, std::string(name), std::string(summary),
+                      options.promised.value_or(promise::crossed), options.start_seconds}),
                   {});
 }
 

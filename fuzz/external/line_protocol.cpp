@@ -80,7 +80,7 @@ public:
         place[a] = static_cast<unsigned>(whole - t_.base[a]);
     }
     if (of_block) // voxels around the block are empty: nobody asked about them
-      out_.push(voxel_at(place[0], place[1], place[2]));
+      out_.push(octant_at(place[0], place[1], place[2]));
   }
   void received(const received_ray& r) {
     for (unsigned a = 0; a < 3; ++a)
@@ -111,14 +111,14 @@ bool read_vector(const json& object, const char* key, vec3& v) {
 void read_voxels(const json& list, answer& into) {
   if (!list.is_array())
     return into.wrong();
-  for (const json& one : list) {
-    if (!one.is_array() || one.size() != 3)
+  for (const json& octant : list) {
+    if (!octant.is_array() || octant.size() != 3)
       return into.wrong();
     std::array<double, 3> index{};
     for (unsigned a = 0; a < 3; ++a) {
-      if (!one[a].is_number() && !one[a].is_null())
+      if (!octant[a].is_number() && !octant[a].is_null())
         return into.wrong();
-      index[a] = one[a].is_null() ? std::nan("") : one[a].get<double>();
+      index[a] = octant[a].is_null() ? std::nan("") : octant[a].get<double>();
     }
     into.voxel_index(index);
   }
@@ -129,7 +129,7 @@ void read_json(const json& line, std::uint64_t id, answer& into) {
     return read_voxels(line, into);
   if (!line.is_object())
     return into.wrong();
-  if (const auto said = line.find("id"); said != line.end() && *said != id)
+  if (const auto named = line.find("id"); named != line.end() && *named != id)
     return into.wrong();
   if (const auto skip = line.find("skip"); skip != line.end() && *skip == true)
     return into.decline();
@@ -252,10 +252,10 @@ std::optional<hello> read_hello(std::string_view line) {
   } else {
     return std::nullopt;
   }
-  hello said{promise_of(name), {}};
-  if (!said.promised)
-    said.wrong = name;
-  return said;
+  hello greeting{promise_of(name), {}};
+  if (!greeting.promised)
+    greeting.wrong = name;
+  return greeting;
 }
 
 } // namespace graze::fuzz

@@ -52,12 +52,12 @@ class keeper {
 public:
   /// Starts it, once.
   static keeper& of_this_process() {
-    static keeper one;
-    return one;
+    static keeper keeps;
+    return keeps;
   }
-  void watch(pid_t group) const { tell(group); }
+  void watch(pid_t group) const { send(group); }
   /// Before the group's number can be another's.
-  void forget(pid_t group) const { tell(-group); }
+  void forget(pid_t group) const { send(-group); }
 
 private:
   keeper() {
@@ -81,7 +81,7 @@ private:
     return fmt::format("cannot {} for the traversal: {}", what, std::strerror(errno));
   }
 
-  void tell(pid_t group) const { // less than PIPE_BUF: whole
+  void send(pid_t group) const { // less than PIPE_BUF: whole
     while (write(to_, &group, sizeof group) < 0 && errno == EINTR) {
     }
   }
@@ -94,14 +94,14 @@ private:
     for (const int s : {SIGINT, SIGTERM, SIGHUP, SIGPIPE})
       std::signal(s, SIG_IGN);
     static pid_t groups[4096];
-    pid_t told = 0;
+    pid_t group = 0;
     for (ssize_t n = 1; n > 0 || (n < 0 && errno == EINTR);) {
-      n = read(STDIN_FILENO, &told, sizeof told);
-      if (n != sizeof told)
+      n = read(STDIN_FILENO, &group, sizeof group);
+      if (n != sizeof group)
         continue;
       for (pid_t& g : groups)
-        if (g == (told > 0 ? 0 : -told)) {
-          g = told > 0 ? told : 0;
+        if (g == (group > 0 ? 0 : -group)) {
+          g = group > 0 ? group : 0;
           break;
         }
     }

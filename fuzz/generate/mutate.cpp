@@ -65,12 +65,12 @@ void change_sign(random_stream& random, trial& t) {
 
 void change_exponent(random_stream& random, trial& t) {
   const int reach = random.one_in(8) ? 1000 : 8;
-  const int by = random.between(-reach, reach);
+  const int exponent = random.between(-reach, reach);
   if (random.coin()) {
-    scale(t.direction, by);
+    scale(t.direction, exponent);
   } else {
     double& x = number_of_ray(random, t);
-    x = std::ldexp(x, by);
+    x = std::ldexp(x, exponent);
   }
 }
 
@@ -102,12 +102,12 @@ void exchange_axes(random_stream& random, trial& t) {
 }
 
 void scale_scene(random_stream& random, trial& t) {
-  const int by = random.between(-4, 4);
+  const int exponent = random.between(-4, 4);
   for (unsigned a = 0; a < 3; ++a) {
-    t.origin[a] = std::ldexp(t.origin[a], by);
-    t.root.lo[a] = std::ldexp(t.root.lo[a], by);
+    t.origin[a] = std::ldexp(t.origin[a], exponent);
+    t.root.lo[a] = std::ldexp(t.root.lo[a], exponent);
   }
-  t.root.size = std::ldexp(t.root.size, by);
+  t.root.size = std::ldexp(t.root.size, exponent);
 }
 
 /// A root whose corners are small integers.

@@ -26,11 +26,11 @@ namespace {
 
 /// layer[a][k]: the voxels of index k on axis a.
 constexpr auto layer = [] {
-  std::array<std::array<voxel_set, max_extent>, 3> result{};
+  std::array<std::array<octant_set, max_extent>, 3> result{};
   for (unsigned z = 0; z < max_extent; ++z)
     for (unsigned y = 0; y < max_extent; ++y)
       for (unsigned x = 0; x < max_extent; ++x) {
-        const voxel_set v = voxel_set{1} << voxel_at(x, y, z);
+        const octant_set v = octant_set{1} << octant_at(x, y, z);
         result[0][x] |= v;
         result[1][y] |= v;
         result[2][z] |= v;
@@ -40,9 +40,9 @@ constexpr auto layer = [] {
 
 /// What a place on one axis of a block (oracle::place) says about the octants there.
 struct layers {
-  voxel_set closed; ///< those whose closed boxes reach the place
-  voxel_set owner;  ///< those whose half-open boxes do
-  bool surrounded;  ///< on either side there are octants of the block, or the outside of the root
+  octant_set closed; ///< those whose closed boxes reach the place
+  octant_set owner;  ///< those whose half-open boxes do
+  bool surrounded;   ///< on either side there are octants of the block, or the outside of the root
 };
 
 /// places[axis][extent - 1][faces][place]; faces: bit 0 the block starts at the root's near face,
@@ -95,7 +95,7 @@ truth truth_of(const trial& t) {
   }
   const unsigned far_face = t.at_far_face();
   const unsigned near_face = t.at_near_face();
-  truth is;
+  truth exact;
   thread_local std::vector<oracle::step> steps;
   oracle::steps_in_grid(t.origin, t.direction, grid, steps);
   std::array<const layers*, 3> on;
@@ -103,20 +103,20 @@ truth truth_of(const trial& t) {
     on[a] = places[a][t.extent[a] - 1u][(near_face >> a & 1) | (far_face >> a & 1) << 1].data();
   for (const oracle::step& s : steps) {
     const layers &x = on[0][s.at[0]], &y = on[1][s.at[1]], &z = on[2][s.at[2]];
-    const voxel_set closed = x.closed & y.closed & z.closed;
-    const voxel_set owner = x.owner & y.owner & z.owner;
+    const octant_set closed = x.closed & y.closed & z.closed;
+    const octant_set owner = x.owner & y.owner & z.owner;
     const bool interior = (s.at[0] & s.at[1] & s.at[2] & 1) != 0;
-    is.touched |= closed;
-    is.crossed |= interior ? closed : 0;
-    if (owner != 0 && (is.owned & owner) == 0) {
-      is.owned |= owner;
-      is.owner_order[is.owners++] = static_cast<voxel>(std::countr_zero(owner));
+    exact.touched |= closed;
+    exact.crossed |= interior ? closed : 0;
+    if (owner != 0 && (exact.owned & owner) == 0) {
+      exact.owned |= owner;
+      exact.owner_order[exact.owners++] = static_cast<octant_number>(std::countr_zero(owner));
     }
     const bool surrounded = x.surrounded & y.surrounded & z.surrounded;
-    if (s.segment && surrounded && is.length_count < is.lengths.size())
-      is.lengths[is.length_count++] = closed;
+    if (s.segment && surrounded && exact.length_count < exact.lengths.size())
+      exact.lengths[exact.length_count++] = closed;
   }
-  return is;
+  return exact;
 }
 
 namespace {
@@ -147,8 +147,8 @@ bool comes_near(const trial& t, const cube& box, const vec3& near, const vec3& b
 
 } // namespace
 
-voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
-  voxel_set left = spurious(is, said);
+octant_set far_spurious(const trial& t, const truth& exact, const visited& answer) {
+  octant_set left = spurious(exact, answer);
   if (left == 0)
     return 0;
   // every product that a test may form stays within 2^-800..2^800
@@ -160,9 +160,9 @@ voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
   }
   if (t.root.size > 0x1p250 || t.size() < 0x1p-250)
     return 0;
-  voxel_set far = 0;
+  octant_set far = 0;
   for (; left != 0; left &= left - 1) {
-    const auto v = static_cast<voxel>(std::countr_zero(left));
+    const auto v = static_cast<octant_number>(std::countr_zero(left));
     const cube box = t.octant(v);
     vec3 near, beyond;
     for (unsigned a = 0; a < 3; ++a) {
@@ -174,7 +174,7 @@ voxel_set far_spurious(const trial& t, const truth& is, const visited& said) {
       beyond[a] = hi + reach;
     }
     if (!comes_near(t, box, near, beyond) && !oracle::touches(t.origin, t.direction, near, beyond))
-      far |= voxel_set{1} << v;
+      far |= octant_set{1} << v;
   }
   return far;
 }
@@ -216,13 +216,13 @@ std::optional<bool> is_gross(const trial& t, const cube& box) {
 
 } // namespace
 
-voxel_set gross(const trial& t, voxel_set missed) {
-  voxel_set result = 0;
-  for (voxel_set left = missed; left != 0; left &= left - 1) {
-    const auto v = static_cast<voxel>(std::countr_zero(left));
+octant_set gross(const trial& t, octant_set missed) {
+  octant_set result = 0;
+  for (octant_set left = missed; left != 0; left &= left - 1) {
+    const auto v = static_cast<octant_number>(std::countr_zero(left));
     const cube box = t.octant(v);
     if (const auto known = is_gross(t, box)) {
-      result |= voxel_set{*known} << v;
+      result |= octant_set{*known} << v;
       continue;
     }
     mpq_class square_of_length = 0; // of the direction
@@ -235,38 +235,38 @@ voxel_set gross(const trial& t, voxel_set missed) {
       continue;
     const mpq_class span = in->second - in->first;
     if (span * span * square_of_length > least * least)
-      result |= voxel_set{1} << v;
+      result |= octant_set{1} << v;
   }
   return result;
 }
 
-std::optional<trial> trial_answered(const trial& t, const visited& said) {
-  if (said.declined())
+std::optional<trial> trial_answered(const trial& t, const visited& answer) {
+  if (answer.declined())
     return std::nullopt;
-  if (!said.received())
+  if (!answer.received())
     return t;
   trial at = t;
-  at.origin = said.received()->origin;
-  at.direction = said.received()->direction;
+  at.origin = answer.received()->origin;
+  at.direction = answer.received()->direction;
   if (!octree::ray::make(at.origin, at.direction))
     return std::nullopt;
   return at;
 }
 
-verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
+verdict judge(const trial& t, const truth& exact, const visited& answer, promise p) {
   verdict v;
-  v.touched = is.touched;
-  if (said.failed() != fault::none) {
-    v.findings = bit(finding_of(said.failed()));
+  v.touched = exact.touched;
+  if (answer.failed() != fault::none) {
+    v.findings = bit(finding_of(answer.failed()));
     return v;
   }
-  v.missed = misses(is, said, p);
-  v.crossed_missed = crossed_missed(is, said);
-  v.touched_missed = touched_missed(is, said);
-  v.visited = said.set();
-  v.spurious = spurious(is, said, p);
-  v.gaps = gaps(is, said);
-  v.order_error = promises_owned(p) && out_of_order(is, said);
+  v.missed = misses(exact, answer, p);
+  v.crossed_missed = crossed_missed(exact, answer);
+  v.touched_missed = touched_missed(exact, answer);
+  v.visited = answer.set();
+  v.spurious = spurious(exact, answer, p);
+  v.gaps = gaps(exact, answer);
+  v.order_error = promises_owned(p) && out_of_order(exact, answer);
   if (v.crossed_missed != 0) {
     v.findings |= bit(finding::crossed_miss);
     v.gross_missed = gross(t, v.crossed_missed);
@@ -279,29 +279,29 @@ verdict judge(const trial& t, const truth& is, const visited& said, promise p) {
     v.findings |= bit(finding::miss);
   if (v.order_error)
     v.findings |= bit(finding::order);
-  if (said.repeated())
+  if (answer.repeated())
     v.findings |= bit(finding::revisit);
-  if (said.outside())
+  if (answer.outside())
     v.findings |= bit(finding::outside);
-  if (v.spurious != 0 && far_spurious(t, is, said) != 0)
+  if (v.spurious != 0 && far_spurious(t, exact, answer) != 0)
     v.findings |= bit(finding::far_spurious);
   if (v.spurious != 0 && is_exact(p))
     v.findings |= bit(finding::spurious);
   return v;
 }
 
-verdict judge_answer(const trial& t, const visited& said, promise p) {
-  if (const auto at = trial_answered(t, said))
-    return judge(*at, truth_of(*at), said, p);
+verdict judge_answer(const trial& t, const visited& answer, promise p) {
+  if (const auto at = trial_answered(t, answer))
+    return judge(*at, truth_of(*at), answer, p);
   verdict v;
   v.declined = true;
   return v;
 }
 
 verdict judge(const trial& t, traversal& under_test) {
-  visited said;
-  ask(under_test, t, said);
-  return judge_answer(t, said, under_test.promises());
+  visited answer;
+  ask(under_test, t, answer);
+  return judge_answer(t, answer, under_test.promises());
 }
 
 } // namespace graze::fuzz

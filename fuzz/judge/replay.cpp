@@ -9,29 +9,27 @@ namespace graze::fuzz {
 namespace {
 
 using json = nlohmann::ordered_json;
-json spelled(const vec3& v) { return json::array({hex(v[0]), hex(v[1]), hex(v[2])}); }
-
-bool has(voxel_set set, voxel v) { return (set >> v & 1) != 0; }
+bool has(octant_set set, octant_number v) { return (set >> v & 1) != 0; }
 
 } // namespace
 
 replay_result replay(const trial& given, traversal& under_test) {
-  visited said;
-  ask(under_test, given, said);
+  visited answer;
+  ask(under_test, given, answer);
   replay_result r;
-  r.thrown = said.thrown();
-  const auto answered = trial_answered(given, said);
+  r.thrown = answer.thrown();
+  const auto answered = trial_answered(given, answer);
   r.declined = !answered;
   if (r.declined)
     return r;
   const trial& t = *answered;
-  r.visited = said.set();
+  r.visited = answer.set();
   const unsigned far_faces = t.at_far_face();
-  for (voxel_set left = t.all(); left != 0; left &= left - 1) {
-    const auto v = static_cast<voxel>(std::countr_zero(left));
+  for (octant_set left = t.all(); left != 0; left &= left - 1) {
+    const auto v = static_cast<octant_number>(std::countr_zero(left));
     const cube box = t.octant(v);
     const oracle::point hi{box.hi(0), box.hi(1), box.hi(2)};
-    const voxel_set only = voxel_set{1} << v;
+    const octant_set only = octant_set{1} << v;
     unsigned closed = 0; // the faces of this octant that are the root's far faces
     for (unsigned a = 0; a < 3; ++a)
       if ((far_faces >> a & 1) != 0 && (v >> (2 * a) & 3) + 1u == t.extent[a])
@@ -44,12 +42,13 @@ replay_result replay(const trial& given, traversal& under_test) {
       r.owns |= only;
   }
   // order and gaps need the steps, which are only told by the fast oracle
-  truth is = truth_of(t);
-  r.oracles_agree = is.touched == r.touches && is.crossed == r.crosses && is.owned == r.owns;
-  is.touched = r.touches;
-  is.crossed = r.crosses;
-  is.owned = r.owns;
-  r.findings = judge(t, is, said, under_test.promises()).findings;
+  truth exact = truth_of(t);
+  r.oracles_agree =
+      exact.touched == r.touches && exact.crossed == r.crosses && exact.owned == r.owns;
+  exact.touched = r.touches;
+  exact.crossed = r.crosses;
+  exact.owned = r.owns;
+  r.findings = judge(t, exact, answer, under_test.promises()).findings;
   return r;
 }
 
@@ -72,9 +71,9 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
   if (!r.thrown.empty())
     line["exception"] = r.thrown;
   if (std::popcount(c.at.all()) > 1)
-    for (voxel_set left = c.at.all(); left != 0; left &= left - 1) {
-      const auto v = static_cast<voxel>(std::countr_zero(left));
-      line["octants"].push_back({{"lo", spelled(c.at.octant(v).lo)},
+    for (octant_set left = c.at.all(); left != 0; left &= left - 1) {
+      const auto v = static_cast<octant_number>(std::countr_zero(left));
+      line["octants"].push_back({{"lo", hex(c.at.octant(v).lo)},
                                  {"touches", has(r.touches, v)},
                                  {"crosses", has(r.crosses, v)},
                                  {"owns", has(r.owns, v)},

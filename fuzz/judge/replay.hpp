@@ -11,7 +11,7 @@ namespace graze::fuzz {
 /// received). The oracle's part is told by its
 /// rational form, which shares nothing with the one that found the case.
 struct replay_result {
-  voxel_set touches = 0, crosses = 0, owns = 0, visited = 0; ///< by octant of the block
+  octant_set touches = 0, crosses = 0, owns = 0, visited = 0; ///< by octant of the block
   finding_set findings = 0;
   bool oracles_agree = true; ///< the rational answers are those that the campaign judges by
   bool declined = false;     ///< the traversal does not take this case: nothing was judged

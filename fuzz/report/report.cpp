@@ -20,7 +20,7 @@ std::string row(std::string_view name, const counts& c) {
                      c.revisits);
 }
 
-void put(json& object, const counts& c) {
+void add_counts(json& object, const counts& c) {
   object["rays"] = c.rays;
   object["touched"] = c.touched;
   object["misses"] = c.misses;
@@ -75,6 +75,22 @@ std::string spelled(const trial& t) {
 
 } // namespace
 
+std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
+  std::string command =
+      fmt::format("graze-fuzz run {} --level {}", plan.under_test.asked_for(), plan.level);
+  if (plan.last_level != plan.level)
+    command += fmt::format("-{}", plan.last_level);
+  if (plan.generators.size() != generators().size()) {
+    std::string names;
+    for (const generator* g : plan.generators)
+      names += fmt::format("{}{}", names.empty() ? "" : ",", g->name);
+    command += " --generator " + names;
+  }
+  if (plan.method != search::generators)
+    command += fmt::format(" --search {}", name_of(plan.method));
+  return command + fmt::format(" --seed {} --first-ray {} --rays 1", plan.seed, ray);
+}
+
 std::string describe(const campaign_plan& plan, const campaign_result& result,
                      const counterexample& c) {
   std::string text = fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
@@ -89,8 +105,8 @@ std::string describe(const campaign_plan& plan, const campaign_result& result,
       if (of_generator[k] && (!ray || *of_generator[k] < *ray))
         ray = of_generator[k];
     if (ray && static_cast<finding>(k) != c.kind)
-      text += fmt::format("also {}: again with --first-ray {} --rays 1\n",
-                          name_of(static_cast<finding>(k)), *ray);
+      text += fmt::format("also {}: again: {}\n", name_of(static_cast<finding>(k)),
+                          command_of(plan, *ray));
   }
   return text;
 }
@@ -105,7 +121,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["search"] = name_of(plan.method);
   object["seed"] = plan.seed;
   object["threads"] = plan.workers;
-  put(object, result.total);
+  add_counts(object, result.total);
   object["seconds"] = result.seconds;
   object["rays_per_second"] =
       result.seconds > 0 ? static_cast<double>(result.total.rays) / result.seconds : 0;
@@ -118,9 +134,9 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["ray"] = c ? json(c->ray) : json(nullptr);
   object["generators"] = json::array();
   for (std::size_t g = 0; g < plan.generators.size(); ++g) {
-    json of{{"generator", plan.generators[g]->name}};
-    put(of, result.by_generator[g]);
-    object["generators"].push_back(std::move(of));
+    json counted{{"generator", plan.generators[g]->name}};
+    add_counts(counted, result.by_generator[g]);
+    object["generators"].push_back(std::move(counted));
   }
   return object.dump(2, ' ', false, json::error_handler_t::replace);
 }

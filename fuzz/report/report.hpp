@@ -7,6 +7,8 @@ namespace graze::fuzz {
 
 /// A row a generator and one for all.
 std::string table(const campaign_plan& plan, const campaign_result& result);
+/// The command that asks about this ray of a campaign again.
+std::string command_of(const campaign_plan& plan, std::uint64_t ray);
 /// What was found, in hex floats and with its replay line, and the first rays of the other kinds;
 /// several lines.
 std::string describe(const campaign_plan& plan, const campaign_result& result,

@@ -70,11 +70,11 @@ struct operands {
   }
 };
 
-void differ(const std::string& how, const operands& o, std::size_t i, cb got, cb right,
+void differ(const std::string& way, const operands& o, std::size_t i, cb got, cb right,
             observations& out) {
   out.push_back(
       {flaw::difference,
-       fmt::format("{} of {}, {}, {}, element {} of {}: {}, not {}", how, text_of(o.xs[i]),
+       fmt::format("{} of {}, {}, {}, element {} of {}: {}, not {}", way, text_of(o.xs[i]),
                    text_of(o.ys[i]), text_of(o.zs[i]), i, o.size, text_of(got), text_of(right))});
 }
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <graze/support/files.hpp>
 #include <graze/support/interrupts.hpp>
 #include <map>
 #include <memory>
@@ -75,19 +76,6 @@ struct message_head {
   std::uint32_t kind, length;
 };
 
-void write_all(int to, const void* from, std::size_t size) {
-  const char* p = static_cast<const char*>(from);
-  while (size > 0) {
-    const ssize_t n = write(to, p, size);
-    if (n < 0 && errno == EINTR)
-      continue;
-    if (n <= 0)
-      _exit(3); // nobody listens
-    p += n;
-    size -= static_cast<std::size_t>(n);
-  }
-}
-
 /// A worker's life.
 class worker {
 public:
@@ -140,8 +128,9 @@ private:
 
   void report(std::uint64_t trial, unsigned kind, const std::string& what) {
     const message_head head{trial, kind, static_cast<std::uint32_t>(what.size())};
-    write_all(to_, &head, sizeof head);
-    write_all(to_, what.data(), what.size());
+    if (!support::write_all(to_, {reinterpret_cast<const char*>(&head), sizeof head}) ||
+        !support::write_all(to_, what))
+      _exit(3); // nobody listens
   }
 
   const plan& plan_;

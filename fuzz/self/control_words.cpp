@@ -63,12 +63,12 @@ template <class B> part operators_words() {
             }
             const std::size_t first = out.size();
             compare_words(w, after, false, out);
-            const std::string of = text_of(x) + ", " + text_of(y);
-            compare("+ of " + of, ranges::add(x, y), to_bounds(r[0]), out);
-            compare("- of " + of, ranges::sub(x, y), to_bounds(r[1]), out);
-            compare("* of " + of, ranges::mul(x, y), to_bounds(r[2]), out);
-            compare("/ of " + of, ranges::div(x, y), to_bounds(r[3]), out);
-            compare("sqrt of " + of, ranges::sqrt(x), to_bounds(r[4]), out);
+            const std::string operands = text_of(x) + ", " + text_of(y);
+            compare("+ of " + operands, ranges::add(x, y), to_bounds(r[0]), out);
+            compare("- of " + operands, ranges::sub(x, y), to_bounds(r[1]), out);
+            compare("* of " + operands, ranges::mul(x, y), to_bounds(r[2]), out);
+            compare("/ of " + operands, ranges::div(x, y), to_bounds(r[3]), out);
+            compare("sqrt of " + operands, ranges::sqrt(x), to_bounds(r[4]), out);
             say_from(w, out, first);
           }};
 }

@@ -61,7 +61,7 @@ interval_operation unary(const char* name, bounds (*right)(const bounds&), activ
     return interval_operands{{argument(seed_of_trial(seed, index), active, function)}};
   };
   o.judge = [right](const interval_operands& x, const bounds& got, observations& out) {
-    compare("", right(x.of[0]), got, out);
+    compare("", right(x.boxes[0]), got, out);
   };
   return o;
 }
@@ -72,9 +72,9 @@ interval_operation unary(const char* name, ranges::decorated (*right)(const boun
   interval_operation o =
       unary<F>(name, static_cast<bounds (*)(const bounds&)>(nullptr), active, function);
   o.judge = [right](const interval_operands& x, const bounds& got, observations& out) {
-    compare("", right(x.of[0]).value, got, out);
+    compare("", right(x.boxes[0]).value, got, out);
   };
-  o.right_local = [right](const interval_operands& x) { return right(x.of[0]).local; };
+  o.right_local = [right](const interval_operands& x) { return right(x.boxes[0]).local; };
   o.local = local_of<F>;
   return o;
 }
@@ -87,11 +87,11 @@ interval_operation binary(const char* name, bounds (*right)(const bounds&, const
     const std::uint64_t s = seed_of_trial(seed, index);
     interval_operands x = hard_operands_of(2, s);
     if (oracle::hard_arguments make(s); make.below(8) != 0)
-      x.of = {argument(s, first, nullptr), argument(~s, second, nullptr)};
+      x.boxes = {argument(s, first, nullptr), argument(~s, second, nullptr)};
     return x;
   };
   o.judge = [right](const interval_operands& x, const bounds& got, observations& out) {
-    compare("", right(x.of[0], x.of[1]), got, out);
+    compare("", right(x.boxes[0], x.boxes[1]), got, out);
   };
   return o;
 }
@@ -108,13 +108,13 @@ interval_operation integer_power(const char* name, ranges::decorated (*right)(co
     x.n = c.n;
     x.has_n = true;
     if (make.below(8) == 0)
-      x.of[0] = oracle::hard_boxes(seed_of_trial(seed, index)).next();
+      x.boxes[0] = oracle::hard_boxes(seed_of_trial(seed, index)).next();
     return x;
   };
   o.judge = [right](const interval_operands& x, const bounds& got, observations& out) {
-    compare("", right(x.of[0], x.n).value, got, out);
+    compare("", right(x.boxes[0], x.n).value, got, out);
   };
-  o.right_local = [right](const interval_operands& x) { return right(x.of[0], x.n).local; };
+  o.right_local = [right](const interval_operands& x) { return right(x.boxes[0], x.n).local; };
   o.local = local_of<F>;
   return o;
 }

@@ -10,7 +10,7 @@ namespace graze::fuzz::self {
 
 /// Up to three operands, and an integer one.
 struct interval_operands {
-  std::array<bounds, 3> of{bounds::empty(), bounds::empty(), bounds::empty()};
+  std::array<bounds, 3> boxes{bounds::empty(), bounds::empty(), bounds::empty()};
   unsigned count = 1;
   int n = 0;
   bool has_n = false;

@@ -23,7 +23,7 @@ namespace reverse = oracle::reverse;
 /// By a tightest enclosure on as many operands as `right` takes.
 template <class Right> auto judge_by(Right right) {
   return [right](const interval_operands& o, const bounds& got, observations& out) {
-    const auto& [x, y, z] = o.of;
+    const auto& [x, y, z] = o.boxes;
     if constexpr (requires { right(x, y, z); })
       compare("", right(x, y, z), got, out);
     else if constexpr (requires { right(x, y); })
@@ -73,7 +73,7 @@ interval_operands nearly_as_wide(std::uint64_t seed, std::uint64_t index) {
   const std::uint64_t s = seed_of_trial(seed, index);
   interval_operands o = hard_operands_of(2, s);
   oracle::hard_operands make(~s);
-  const bounds& x = o.of[0];
+  const bounds& x = o.boxes[0];
   if (make.below(4) == 0 || !x.is_common())
     return o;
   const int exponent = std::isnormal(x.hi) ? std::ilogb(x.hi) : 0;
@@ -81,7 +81,7 @@ interval_operands nearly_as_wide(std::uint64_t seed, std::uint64_t index) {
       make.coin() ? make.with_exponent(exponent - static_cast<int>(make.below(60))) : 0;
   const double a = make.nudged(x.lo + shift), b = make.nudged(x.hi + shift);
   if (a <= b && std::isfinite(a) && std::isfinite(b))
-    o.of[1] = {a, b};
+    o.boxes[1] = {a, b};
   return o;
 }
 template <class F>
@@ -91,7 +91,7 @@ interval_operation cancellation(const char* name, bounds (*right)(const bounds&,
   o.generate = [negated](std::uint64_t seed, std::uint64_t index) {
     interval_operands x = nearly_as_wide(seed, index);
     if (negated)
-      x.of[1] = {-x.of[1].hi, -x.of[1].lo};
+      x.boxes[1] = {-x.boxes[1].hi, -x.boxes[1].lo};
     return x;
   };
   return o;
@@ -117,7 +117,7 @@ interval_operation algebraic(const char* name, Make make, Judge judge, bool has_
     if (has_u && source.below(64) == 0)
       c.u = bounds::empty();
     interval_operands x;
-    x.of = has_u ? std::array{c.u, c.c, c.x} : std::array{c.c, c.x, bounds::empty()};
+    x.boxes = has_u ? std::array{c.u, c.c, c.x} : std::array{c.c, c.x, bounds::empty()};
     x.count = has_u ? 3 : 2;
     x.n = c.n;
     x.has_n = with_n;
@@ -125,9 +125,9 @@ interval_operation algebraic(const char* name, Make make, Judge judge, bool has_
   };
   o.value = value_of<F>;
   o.judge = [judge, has_u](const interval_operands& x, const bounds& got, observations& out) {
-    if (has_u && x.of[0].is_empty())
+    if (has_u && x.boxes[0].is_empty())
       return compare("", bounds::empty(), got, out);
-    report(judge(x).judge(x.of[has_u ? 2 : 1], got), got, out);
+    report(judge(x).judge(x.boxes[has_u ? 2 : 1], got), got, out);
   };
   return o;
 }
@@ -142,7 +142,7 @@ interval_operation trigonometric(const char* name, reverse::wave f,
     interval_operands x{{c.c, c.x}};
     x.count = 2;
     if (source.below(32) == 0)
-      x.of[source.below(2)] = bounds::empty();
+      x.boxes[source.below(2)] = bounds::empty();
     return x;
   };
   return o;
@@ -181,22 +181,22 @@ std::vector<interval_operation> of_the_standard() {
       cancellation<f::cancel_plus>("cancel_plus", ranges::cancel_plus, true),
       algebraic<f::sqr_rev>(
           "sqr_rev", [](source& s) { return s.even(reverse::sqr_at, 0, 0x1p512); },
-          [](const operands& o) { return reverse::of_sqr(o.of[0]); }, false),
+          [](const operands& o) { return reverse::of_sqr(o.boxes[0]); }, false),
       algebraic<f::abs_rev>(
           "abs_rev", [](source& s) { return s.even(reverse::abs_at, 0, largest); },
-          [](const operands& o) { return reverse::of_abs(o.of[0]); }, false),
+          [](const operands& o) { return reverse::of_abs(o.boxes[0]); }, false),
       algebraic<f::cosh_rev>(
           "cosh_rev", [](source& s) { return s.even(reverse::cosh_at, 1, 710); },
-          [](const operands& o) { return reverse::of_cosh(o.of[0]); }, false),
+          [](const operands& o) { return reverse::of_cosh(o.boxes[0]); }, false),
       algebraic<f::pown_rev>(
           "pown_rev", [](source& s) { return s.pown(); },
-          [](const operands& o) { return reverse::of_pown(o.of[0], o.n); }, false),
+          [](const operands& o) { return reverse::of_pown(o.boxes[0], o.n); }, false),
       trigonometric<f::sin_rev>("sin_rev", reverse::wave::sin, reverse::sin_rev),
       trigonometric<f::cos_rev>("cos_rev", reverse::wave::cos, reverse::cos_rev),
       trigonometric<f::tan_rev>("tan_rev", reverse::wave::tan, reverse::tan_rev),
       algebraic<f::mul_rev>(
           "mul_rev", [](source& s) { return s.mul(); },
-          [](const operands& o) { return reverse::of_mul(o.of[0], o.of[1]); }, true),
+          [](const operands& o) { return reverse::of_mul(o.boxes[0], o.boxes[1]); }, true),
       algebraic<f::pow_rev1>(
           "pow_rev1",
           [](source& s) {
@@ -204,10 +204,10 @@ std::vector<interval_operation> of_the_standard() {
             std::swap(c.u, c.x); // the base is looked for
             return c;
           },
-          [](const operands& o) { return reverse::of_pow1(o.of[0], o.of[1]); }, true),
+          [](const operands& o) { return reverse::of_pow1(o.boxes[0], o.boxes[1]); }, true),
       algebraic<f::pow_rev2>(
           "pow_rev2", [](source& s) { return s.pow(); },
-          [](const operands& o) { return reverse::of_pow2(o.of[0], o.of[1]); }, true),
+          [](const operands& o) { return reverse::of_pow2(o.boxes[0], o.boxes[1]); }, true),
   };
 #undef GRAZE_ON_BOXES
 #undef GRAZE_STEP
@@ -225,18 +225,18 @@ interval_operation first_of_pair() {
     return x;
   };
   o.value = [](const interval_operands& x) {
-    return functions::mul_rev_to_pair::value(x.of[0], x.of[1]).first;
+    return functions::mul_rev_to_pair::value(x.boxes[0], x.boxes[1]).first;
   };
   o.judge = [](const interval_operands& x, const bounds& first, observations& out) {
-    const bounds second = functions::mul_rev_to_pair::value(x.of[0], x.of[1]).second;
-    const reverse::reverse_judge of = reverse::of_mul(x.of[0], x.of[1]);
+    const bounds second = functions::mul_rev_to_pair::value(x.boxes[0], x.boxes[1]).second;
+    const reverse::reverse_judge solutions = reverse::of_mul(x.boxes[0], x.boxes[1]);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (second.is_empty())
-      return report(of.judge(bounds::entire(), first), first, out);
-    if (of.is_solution(0))
+      return report(solutions.judge(bounds::entire(), first), first, out);
+    if (solutions.is_solution(0))
       out.push_back({flaw::unsound, "in two pieces, though 0 is a solution"});
-    report(of.judge({-infinity, 0}, first), first, out);
-    report(of.judge({0, infinity}, second), second, out);
+    report(solutions.judge({-infinity, 0}, first), first, out);
+    report(solutions.judge({0, infinity}, second), second, out);
   };
   return o;
 }
@@ -272,11 +272,11 @@ template <class I> interval_operation operators(std::string name) {
     x.has_n = true;
     return x;
   };
-  o.value = [](const interval_operands& of) {
-    const I x = to_interval<P>(of.of[0]), y = to_interval<P>(of.of[1]);
-    const double number = of.of[1].lo;
-    const auto by = [&]() -> I {
-      switch (of.n) {
+  o.value = [](const interval_operands& given) {
+    const I x = to_interval<P>(given.boxes[0]), y = to_interval<P>(given.boxes[1]);
+    const double number = given.boxes[1].lo;
+    const auto result = [&]() -> I {
+      switch (given.n) {
       case add:
         return x + y;
       case sub:
@@ -305,13 +305,13 @@ template <class I> interval_operation operators(std::string name) {
         return x / number;
       }
     };
-    return to_bounds(by());
+    return to_bounds(result());
   };
-  o.judge = [](const interval_operands& of, const bounds& got, observations& out) {
-    const auto& [x, y, unused] = of.of;
+  o.judge = [](const interval_operands& given, const bounds& got, observations& out) {
+    const auto& [x, y, unused] = given.boxes;
     const bounds number = std::isfinite(y.lo) ? bounds{y.lo, y.lo} : bounds::empty();
     const auto right = [&]() -> bounds {
-      switch (of.n) {
+      switch (given.n) {
       case add:
         return ranges::add(x, y);
       case sub:
@@ -340,7 +340,7 @@ template <class I> interval_operation operators(std::string name) {
         return ranges::div(x, number);
       }
     };
-    compare(names[static_cast<unsigned>(of.n)], right(), got, out);
+    compare(names[static_cast<unsigned>(given.n)], right(), got, out);
   };
   return o;
 }
@@ -355,19 +355,19 @@ template <class B> interval_operation points(std::string name) {
     oracle::hard_operands make(s);
     const auto [x, y] = make.next(static_cast<oracle::hardness>(
         make.below(static_cast<std::uint64_t>(oracle::hardness::count))));
-    interval_operands of{{bounds{x, x}, bounds{y, y}}};
-    of.count = 2;
-    of.n = static_cast<int>(mix(s) % backend_operations.size());
-    of.has_n = true;
-    return of;
+    interval_operands given{{bounds{x, x}, bounds{y, y}}};
+    given.count = 2;
+    given.n = static_cast<int>(mix(s) % backend_operations.size());
+    given.has_n = true;
+    return given;
   };
-  o.value = [](const interval_operands& of) {
+  o.value = [](const interval_operands& given) {
     [[maybe_unused]] const typename B::scope scope;
-    const double r = backend_operation<B>(of.n, of.of[0].lo, of.of[1].lo);
+    const double r = backend_operation<B>(given.n, given.boxes[0].lo, given.boxes[1].lo);
     return bounds{r, r};
   };
-  o.judge = [](const interval_operands& of, const bounds& got, observations& out) {
-    compare_operation(of.n, of.of[0].lo, of.of[1].lo, got.lo, out);
+  o.judge = [](const interval_operands& given, const bounds& got, observations& out) {
+    compare_operation(given.n, given.boxes[0].lo, given.boxes[1].lo, got.lo, out);
   };
   return o;
 }

@@ -30,7 +30,7 @@ bool is_interval(const bounds& x) {
 std::string question(const interval_operation& operation, const interval_operands& o) {
   std::string text = operation.name + "(";
   for (unsigned i = 0; i < o.count; ++i)
-    text.append(i != 0 ? ", " : "").append(text_of(o.of[i]));
+    text.append(i != 0 ? ", " : "").append(text_of(o.boxes[i]));
   return text + (o.has_n ? fmt::format(", {})", o.n) : ")");
 }
 
@@ -77,7 +77,7 @@ void compare_operation(int n, double x, double y, double got, observations& out)
 namespace {
 /// Each operand is {NaN, NaN} or a set.
 bool well_formed(const interval_operands& o) {
-  return std::all_of(o.of.begin(), o.of.begin() + o.count, [](const bounds& x) {
+  return std::all_of(o.boxes.begin(), o.boxes.begin() + o.count, [](const bounds& x) {
     return (x.lo != x.lo && x.hi != x.hi) || !checking::is_empty(x.lo, x.hi);
   });
 }

@@ -18,10 +18,10 @@ inline interval_operands hard_operands_of(unsigned count, std::uint64_t s) {
   interval_operands o;
   o.count = count;
   if ((s & 1) != 0) {
-    oracle::hard_intervals(s).next(o.of[0], o.of[1], o.of[2]);
+    oracle::hard_intervals(s).next(o.boxes[0], o.boxes[1], o.boxes[2]);
   } else {
     oracle::hard_boxes boxes(s);
-    for (bounds& x : o.of)
+    for (bounds& x : o.boxes)
       x = boxes.next();
   }
   return o;

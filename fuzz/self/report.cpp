@@ -6,8 +6,11 @@
 namespace graze::fuzz::self {
 
 std::string command_of(const plan& p, const finding& f) {
-  return fmt::format("graze-fuzz self {} --seed {} --first {} --trials 1", p.under_test->name,
-                     p.seed, f.trial);
+  const std::string command = fmt::format("graze-fuzz self {} --seed {} --first {} --trials 1",
+                                          p.under_test->name, p.seed, f.trial);
+  return p.seconds_a_trial == plan{}.seconds_a_trial
+             ? command
+             : command + fmt::format(" --timeout {}", p.seconds_a_trial);
 }
 
 std::string to_text(const plan& p, const result& r) {
@@ -41,11 +44,11 @@ std::string to_json(const plan& p, const result& r) {
               {"interrupted", r.interrupted}};
   object["parts"] = json::array();
   for (std::size_t i = 0; i < r.parts.size(); ++i) {
-    json of{{"part", p.under_test->parts[i].name}, {"trials", r.parts[i].trials}};
+    json counted{{"part", p.under_test->parts[i].name}, {"trials", r.parts[i].trials}};
     for (unsigned k = 0; k < flaw_kinds; ++k)
       if (r.parts[i].flawed[k] != 0)
-        of["flaws"][name_of(static_cast<flaw>(k))] = r.parts[i].flawed[k];
-    object["parts"].push_back(std::move(of));
+        counted["flaws"][name_of(static_cast<flaw>(k))] = r.parts[i].flawed[k];
+    object["parts"].push_back(std::move(counted));
   }
   object["findings"] = json::array();
   for (const finding& f : r.findings)

@@ -6,7 +6,7 @@ namespace graze::fuzz::self {
 
 /// F::value or F::local, whichever `call` names, with as many operands as it takes.
 template <class Call> auto on_operands(Call call, const interval_operands& o) {
-  const auto& [x, y, z] = o.of;
+  const auto& [x, y, z] = o.boxes;
   if constexpr (requires { call(x, y, z); })
     return call(x, y, z);
   else if constexpr (requires { call(x, y, o.n); })

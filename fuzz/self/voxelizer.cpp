@@ -195,7 +195,7 @@ std::optional<std::pair<mpq_class, mpq_class>> range_in(const line& l, const box
 
 /// An exact zero of a polynomial: what is known of it.
 struct exact_zero {
-  const polynomial& of;
+  const polynomial& function;
   const oracle::root_counter& counter;
   oracle::root at;
   /// The sign of (zero - t).
@@ -204,9 +204,9 @@ struct exact_zero {
       return 1;
     if (t > at.hi)
       return -1;
-    if (at.lo == at.hi || of(t) == 0)
+    if (at.lo == at.hi || function(t) == 0)
       return 0; // the only zero from at.lo to at.hi
-    if (of(at.lo) == 0)
+    if (function(at.lo) == 0)
       return at.lo < t ? -1 : 0;
     return counter.roots_between(at.lo, t) != 0 ? -1 : 1;
   }
@@ -323,9 +323,9 @@ private:
   }
 
   void compare_octrees(observations& out) const {
-    const auto same = [&](const expected<sparse_octree>& other, const std::string& by) {
+    const auto same = [&](const expected<sparse_octree>& other, const std::string& maker) {
       if (!other || !(*other == *tree_))
-        out.push_back({flaw::difference, "another octree by " + by + where()});
+        out.push_back({flaw::difference, "another octree by " + maker + where()});
     };
     for (const batch::path p : batch::paths)
       if (!batch::refusal(p))
@@ -369,11 +369,11 @@ private:
   }
 
   void check_leaf(const index3& index, const line& l, observations& out) {
-    const auto report = [&](const char* by) {
+    const auto report = [&](const char* maker) {
       out.push_back({flaw::dropped,
                      fmt::format("octant ({}, {}, {}) is not in the {} octree, but holds a zero on "
                                  "the line {} + t {}{}",
-                                 index[0], index[1], index[2], by, spelled(l.origin),
+                                 index[0], index[1], index[2], maker, spelled(l.origin),
                                  spelled(l.direction), where())});
     };
     if (!keeps(*tree_, index))

@@ -27,13 +27,13 @@ private:
 };
 
 void offer_fewer_octants(const trial& t, candidates& out) {
-  for (voxel_set left = t.all(); left != 0 && std::popcount(t.all()) > 1; left &= left - 1) {
+  for (octant_set left = t.all(); left != 0 && std::popcount(t.all()) > 1; left &= left - 1) {
     const int v = std::countr_zero(left); // one octant alone
-    trial one = t;
+    trial candidate = t;
     for (unsigned a = 0; a < 3; ++a)
-      one.base[a] += static_cast<unsigned>(v) >> (2 * a) & 3u;
-    one.extent = {1, 1, 1};
-    out.offer(one);
+      candidate.base[a] += static_cast<unsigned>(v) >> (2 * a) & 3u;
+    candidate.extent = {1, 1, 1};
+    out.offer(candidate);
   }
   for (unsigned a = 0; a < 3; ++a) {
     if (t.extent[a] == 1)
@@ -129,24 +129,24 @@ void offer_fewer_bits(const trial& t, candidates& out) {
     const double x = number(t, i);
     if (x == 0)
       continue;
-    trial one = t;
-    const auto put = [&](double y) {
-      number(one, i) = y;
-      out.offer(one);
+    trial candidate = t;
+    const auto offer_number = [&](double y) {
+      number(candidate, i) = y;
+      out.offer(candidate);
     };
-    put(0);
-    put(std::copysign(1.0, x));
-    put(std::fabs(x));
+    offer_number(0);
+    offer_number(std::copysign(1.0, x));
+    offer_number(std::fabs(x));
     const int bits = significant_bits(x);
     for (int n = 1; n < bits; ++n)
       for (const double y : rounded(x, n))
-        put(y);
+        offer_number(y);
     int exponent = 0;
     const double significand = std::frexp(x, &exponent);
-    put(significand);
+    offer_number(significand);
     for (int closer = exponent / 2; closer != 0; closer /= 2)
-      put(std::ldexp(x, -closer));
-    put(std::ldexp(x, exponent > 0 ? -1 : 1));
+      offer_number(std::ldexp(x, -closer));
+    offer_number(std::ldexp(x, exponent > 0 ? -1 : 1));
   }
   // origin and direction of an axis together
   for (unsigned a = 0; a < 3; ++a) {
@@ -177,10 +177,10 @@ template <class Numbers> int lowest_bit(const Numbers& numbers) {
 
 /// The direction's common power of two taken out, its components made integers.
 void offer_scale(const trial& t, candidates& out) {
-  const auto offer = [&](int by) {
+  const auto offer = [&](int power) {
     trial scaled = t;
     for (unsigned a = 0; a < 3; ++a)
-      scaled.direction[a] = std::ldexp(t.direction[a], -by);
+      scaled.direction[a] = std::ldexp(t.direction[a], -power);
     out.offer(scaled);
   };
   offer(lowest_bit(t.direction));
@@ -188,22 +188,22 @@ void offer_scale(const trial& t, candidates& out) {
   for (const double d : t.direction)
     if (d != 0)
       largest = std::max(largest, std::ilogb(d));
-  for (int by = largest; by != 0; by /= 2)
-    offer(by);
+  for (int power = largest; power != 0; power /= 2)
+    offer(power);
 }
 
 /// The whole scene times a power of two: octants of size 1, or all coordinates integers.
 void offer_scene_scale(const trial& t, candidates& out) {
   const std::array<double, 7> coordinates{t.origin[0],  t.origin[1],  t.origin[2], t.root.lo[0],
                                           t.root.lo[1], t.root.lo[2], t.size()};
-  for (const int by :
+  for (const int power :
        {-std::ilogb(t.size()), -lowest_bit(coordinates), -std::ilogb(t.root.size), 1, -1}) {
     trial scaled = t;
     for (unsigned a = 0; a < 3; ++a) {
-      scaled.origin[a] = std::ldexp(t.origin[a], by);
-      scaled.root.lo[a] = std::ldexp(t.root.lo[a], by);
+      scaled.origin[a] = std::ldexp(t.origin[a], power);
+      scaled.root.lo[a] = std::ldexp(t.root.lo[a], power);
     }
-    scaled.root.size = std::ldexp(t.root.size, by);
+    scaled.root.size = std::ldexp(t.root.size, power);
     out.offer(scaled);
   }
 }

@@ -60,11 +60,11 @@ public:
     return {{first, level_ - open}, below - open, first};
   }
 
-  /// The voxel of a node at the block's level.
-  [[nodiscard]] voxel voxel_of(const node& n) const {
-    return voxel_at(static_cast<unsigned>(n.index[0] - first_[0]),
-                    static_cast<unsigned>(n.index[1] - first_[1]),
-                    static_cast<unsigned>(n.index[2] - first_[2]));
+  /// The octant that a node at the block's level is.
+  [[nodiscard]] octant_number octant_of(const node& n) const {
+    return octant_at(static_cast<unsigned>(n.index[0] - first_[0]),
+                     static_cast<unsigned>(n.index[1] - first_[1]),
+                     static_cast<unsigned>(n.index[2] - first_[2]));
   }
 
 private:

@@ -10,15 +10,15 @@ using octree::convention;
 using octree::exactness;
 
 /// The block's octants are the set. Levels that a voxel_set has not (0, above 20) are declined.
-class lanes final : public traversal {
+class lane_traversal final : public traversal {
 public:
-  lanes(std::string_view name, convention what, exactness how)
-      : name_(name), what_(what), how_(how) {}
+  lane_traversal(std::string_view name, convention c, exactness e)
+      : name_(name), convention_(c), exactness_(e) {}
   [[nodiscard]] std::string_view name() const override { return name_; }
   [[nodiscard]] promise promises() const override {
-    if (how_ == exactness::exact)
-      return what_ == convention::owned ? promise::exactly_owned : promise::exactly_touched;
-    return what_ == convention::owned ? promise::owned : promise::touched;
+    if (exactness_ == exactness::exact)
+      return convention_ == convention::owned ? promise::exactly_owned : promise::exactly_touched;
+    return convention_ == convention::owned ? promise::owned : promise::touched;
   }
 
   void visit(const trial& t, visited& out) override {
@@ -34,23 +34,23 @@ public:
                             static_cast<std::uint32_t>(t.base[2] + z)});
     const auto set = octree::voxel_set::make(*root, block_);
     const auto ray = octree::ray::make(t.origin, t.direction);
-    octree::visit_voxels(*set, *ray, what_, how_, {}, [&](const octree::voxel& v) {
-      out.push(voxel_at(v.index(0) - static_cast<unsigned>(t.base[0]),
-                        v.index(1) - static_cast<unsigned>(t.base[1]),
-                        v.index(2) - static_cast<unsigned>(t.base[2])));
+    octree::visit_voxels(*set, *ray, convention_, exactness_, {}, [&](const octree::voxel& v) {
+      out.push(octant_at(v.index(0) - static_cast<unsigned>(t.base[0]),
+                         v.index(1) - static_cast<unsigned>(t.base[1]),
+                         v.index(2) - static_cast<unsigned>(t.base[2])));
       return false;
     });
   }
 
 private:
   std::string_view name_;
-  convention what_;
-  exactness how_;
+  convention convention_;
+  exactness exactness_;
   std::vector<std::array<std::uint32_t, 3>> block_;
 };
 
 template <convention C, exactness E, const char* Name> std::unique_ptr<traversal> made() {
-  return std::make_unique<lanes>(Name, C, E);
+  return std::make_unique<lane_traversal>(Name, C, E);
 }
 constexpr char sound_owned[] = "lanes-sound", sound_closed[] = "lanes-sound-closed",
                exact_owned[] = "lanes-exact", exact_closed[] = "lanes-exact-closed";

@@ -25,7 +25,7 @@ public:
     const block_tree tree(t);
     octree::descend(method, t.root, t.level, tree,
                     [&](const cube&, const block_tree::node& n, const typename M::state&) {
-                      out.push(tree.voxel_of(n));
+                      out.push(tree.octant_of(n));
                       return false;
                     });
   }

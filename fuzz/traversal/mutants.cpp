@@ -64,8 +64,8 @@ public:
   [[nodiscard]] std::string_view name() const override { return "mutant-everything"; }
   [[nodiscard]] promise promises() const override { return promise::touched; }
   void visit(const trial& t, visited& out) override {
-    for (voxel_set left = t.all(); left != 0; left &= left - 1)
-      out.push(static_cast<voxel>(std::countr_zero(left)));
+    for (octant_set left = t.all(); left != 0; left &= left - 1)
+      out.push(static_cast<octant_number>(std::countr_zero(left)));
   }
 };
 

@@ -22,8 +22,8 @@ template <class Test> class box_traversal final : public peer_traversal<Test> {
 public:
   void visit(const trial& t, visited& out) override {
     const Test hits(t.origin, t.direction);
-    for (voxel_set left = t.all(); left != 0; left &= left - 1) {
-      const auto v = static_cast<voxel>(std::countr_zero(left));
+    for (octant_set left = t.all(); left != 0; left &= left - 1) {
+      const auto v = static_cast<octant_number>(std::countr_zero(left));
       const cube box = t.octant(v);
       if (hits(box.lo, {box.hi(0), box.hi(1), box.hi(2)}))
         out.push(v);
@@ -52,9 +52,9 @@ public:
         behind = behind || (t.direction[a] < 0 ? in < 0 : in >= t.extent[a]);
       }
       if (inside)
-        out.push(voxel_at(static_cast<unsigned>(at[0] - block[0]),
-                          static_cast<unsigned>(at[1] - block[1]),
-                          static_cast<unsigned>(at[2] - block[2])));
+        out.push(octant_at(static_cast<unsigned>(at[0] - block[0]),
+                           static_cast<unsigned>(at[1] - block[1]),
+                           static_cast<unsigned>(at[2] - block[2])));
       return behind;
     });
   }
@@ -80,8 +80,8 @@ public:
   [[nodiscard]] std::string_view name() const override { return "rational"; }
   [[nodiscard]] promise promises() const override { return promise::exactly_touched; }
   void visit(const trial& t, visited& out) override {
-    for (voxel_set left = t.all(); left != 0; left &= left - 1) {
-      const auto v = static_cast<voxel>(std::countr_zero(left));
+    for (octant_set left = t.all(); left != 0; left &= left - 1) {
+      const auto v = static_cast<octant_number>(std::countr_zero(left));
       const cube box = t.octant(v);
       if (oracle::rational::touches(t.origin, t.direction, box.lo,
                                     {box.hi(0), box.hi(1), box.hi(2)}))

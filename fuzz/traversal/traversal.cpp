@@ -54,8 +54,8 @@ public:
   std::size_t visit_some(std::span<const trial> trials, std::span<visited> out) override {
     if (now_) {
       std::size_t answered = 0;
-      visited said;
-      if (guard(said, [&] { answered = now_->visit_some(trials, out); })) {
+      visited answer;
+      if (guard(answer, [&] { answered = now_->visit_some(trials, out); })) {
         if (out[answered - 1].failed() == fault::exception)
           now_.reset();
         return answered;

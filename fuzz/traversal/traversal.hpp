@@ -46,8 +46,8 @@ public:
     received_.reset();
     thrown_.clear();
   }
-  void push(voxel v) {
-    const voxel_set bit = voxel_set{1} << v;
+  void push(octant_number v) {
+    const octant_set bit = octant_set{1} << v;
     if ((set_ & bit) != 0) {
       repeated_ = true; // its first place in the order stands
       return;
@@ -70,9 +70,9 @@ public:
   /// zero, a component that became infinite) counts as declined.
   void receive(const received_ray& r) { received_ = r; }
 
-  [[nodiscard]] voxel_set set() const { return set_; }
+  [[nodiscard]] octant_set set() const { return set_; }
   [[nodiscard]] unsigned size() const { return count_; }
-  [[nodiscard]] voxel operator[](unsigned i) const { return order_[i]; }
+  [[nodiscard]] octant_number operator[](unsigned i) const { return order_[i]; }
   [[nodiscard]] bool repeated() const { return repeated_; }
   [[nodiscard]] bool outside() const { return outside_; }
   [[nodiscard]] fault failed() const { return fault_; }
@@ -82,9 +82,9 @@ public:
   [[nodiscard]] const std::optional<received_ray>& received() const { return received_; }
 
 private:
-  std::array<voxel, 64> order_;
+  std::array<octant_number, 64> order_;
   unsigned count_ = 0;
-  voxel_set set_ = 0;
+  octant_set set_ = 0;
   bool repeated_ = false, outside_ = false, declined_ = false;
   fault fault_ = fault::none;
   std::optional<received_ray> received_;

@@ -13,8 +13,6 @@ using json = nlohmann::ordered_json;
 /// What is read: its keys are looked up by a tree, so that many of them take no time.
 using read_json = nlohmann::json;
 
-json spelled(const vec3& v) { return json::array({hex(v[0]), hex(v[1]), hex(v[2])}); }
-
 /// Reads members of one line and keeps the first reason why that did not work.
 class reader {
 public:
@@ -46,7 +44,7 @@ public:
       v[a] = number((*value)[a], key);
     return v;
   }
-  cube box(const read_json& object, const char* key) {
+  cube cube_of(const read_json& object, const char* key) {
     cube c{{0, 0, 0}, 1};
     const read_json* value = member(object, key);
     if (value == nullptr)
@@ -79,10 +77,10 @@ private:
 
 std::string to_json_line(const trial& t) {
   json line;
-  line["origin"] = spelled(t.origin);
-  line["direction"] = spelled(t.direction);
-  line["octant"] = {{"lo", spelled(t.octant(0).lo)}, {"size", hex(t.size())}};
-  line["root"] = {{"lo", spelled(t.root.lo)}, {"size", hex(t.root.size)}};
+  line["origin"] = hex(t.origin);
+  line["direction"] = hex(t.direction);
+  line["octant"] = {{"lo", hex(t.octant(0).lo)}, {"size", hex(t.size())}};
+  line["root"] = {{"lo", hex(t.root.lo)}, {"size", hex(t.root.size)}};
   if (t.extent != std::array<std::uint8_t, 3>{1, 1, 1})
     line["extent"] = t.extent;
   return line.dump();
@@ -97,8 +95,8 @@ expected<trial> from_json_line(std::string_view text) {
   reader read;
   const vec3 origin = read.vector(line, "origin");
   const vec3 direction = read.vector(line, "direction");
-  const cube octant = read.box(line, "octant");
-  const cube root = line.contains("root") ? read.box(line, "root") : cube{{0, 0, 0}, 1};
+  const cube octant = read.cube_of(line, "octant");
+  const cube root = line.contains("root") ? read.cube_of(line, "root") : cube{{0, 0, 0}, 1};
   std::array<std::uint8_t, 3> extent{1, 1, 1};
   if (line.contains("extent"))
     extent = read.extent(line.at("extent"));

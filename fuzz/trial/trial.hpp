@@ -17,13 +17,16 @@ using octree::vec3;
 inline constexpr unsigned max_extent = 4;
 
 /// An octant's number within its block: x + 4 (y + 4 z).
-using voxel = std::uint8_t;
-/// A set of a block's octants, bit v for voxel v.
-using voxel_set = std::uint64_t;
+using octant_number = std::uint8_t;
+/// A set of a block's octants, bit v for octant v.
+using octant_set = std::uint64_t;
 
-constexpr voxel voxel_at(unsigned x, unsigned y, unsigned z) {
-  return static_cast<voxel>(x + max_extent * (y + max_extent * z));
+constexpr octant_number octant_at(unsigned x, unsigned y, unsigned z) {
+  return static_cast<octant_number>(x + max_extent * (y + max_extent * z));
 }
+
+/// The exact spelling of the three numbers.
+inline std::array<std::string, 3> hex(const vec3& v) { return {hex(v[0]), hex(v[1]), hex(v[2])}; }
 
 /// A ray, a root cube, and the occupied octants of one level: `extent` from index `base` on.
 struct trial {
@@ -47,7 +50,7 @@ struct trial {
   [[nodiscard]] double plane(int axis, unsigned k) const {
     return grid_plane(axis, base[axis] + k);
   }
-  [[nodiscard]] cube octant(voxel v) const {
+  [[nodiscard]] cube octant(octant_number v) const {
     return {{plane(0, v & 3u), plane(1, v >> 2 & 3u), plane(2, v >> 4)}, size()};
   }
   /// Bit a is set where the block ends at the root's far face of axis a.
@@ -62,12 +65,12 @@ struct trial {
   [[nodiscard]] unsigned at_near_face() const {
     return (base[0] == 0 ? 1u : 0u) | (base[1] == 0 ? 2u : 0u) | (base[2] == 0 ? 4u : 0u);
   }
-  [[nodiscard]] voxel_set all() const {
-    voxel_set set = 0;
+  [[nodiscard]] octant_set all() const {
+    octant_set set = 0;
     for (unsigned z = 0; z < extent[2]; ++z)
       for (unsigned y = 0; y < extent[1]; ++y)
         for (unsigned x = 0; x < extent[0]; ++x)
-          set |= voxel_set{1} << voxel_at(x, y, z);
+          set |= octant_set{1} << octant_at(x, y, z);
     return set;
   }
 

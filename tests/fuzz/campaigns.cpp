@@ -64,15 +64,15 @@ TEST_CASE("fuzz.campaign: counts and first findings do not depend on the number 
           "[property]") {
   campaign_plan plan = plan_of("published", 40, 20'001);
   plan.workers = 1;
-  const campaign_result one = run(plan);
+  const campaign_result single = run(plan);
   for (const unsigned threads : {2u, 3u, 7u}) {
     plan.workers = threads;
-    const campaign_result many = run(plan);
-    CHECK(many.first == one.first);
-    REQUIRE(many.by_generator.size() == one.by_generator.size());
-    for (std::size_t g = 0; g < one.by_generator.size(); ++g)
-      CHECK(many.by_generator[g] == one.by_generator[g]);
-    const auto a = counterexample_of(plan, one), b = counterexample_of(plan, many);
+    const campaign_result several = run(plan);
+    CHECK(several.first == single.first);
+    REQUIRE(several.by_generator.size() == single.by_generator.size());
+    for (std::size_t g = 0; g < single.by_generator.size(); ++g)
+      CHECK(several.by_generator[g] == single.by_generator[g]);
+    const auto a = counterexample_of(plan, single), b = counterexample_of(plan, several);
     REQUIRE((a && b));
     CHECK(a->shrunk == b->shrunk);
   }

@@ -240,8 +240,8 @@ TEST_CASE("graze-fuzz campaign: shards together are the whole, each piece once",
     CHECK(call("campaign " + folder + searched + " --shard " + shard + "/3").code == 1);
     folders += " " + folder;
   }
-  const auto json_of = [&](const std::string& of) {
-    const outcome o = call("summary" + of + " --json --html " + (dir / "page.html"));
+  const auto json_of = [&](const std::string& folders_named) {
+    const outcome o = call("summary" + folders_named + " --json --html " + (dir / "page.html"));
     CHECK(o.code == 1);
     auto object = nlohmann::json::parse(o.out);
     object.erase("seconds");

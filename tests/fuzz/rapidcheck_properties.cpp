@@ -47,10 +47,10 @@ TEST_CASE("fuzz.rapidcheck: sound keeps its promise on every generator and level
 
 TEST_CASE("fuzz.rapidcheck: what owns is touched, what is crossed is owned", "[property]") {
   holds("crossed, owned, touched", 20'000, [] {
-    const truth is = truth_of(*any_trial());
-    RC_ASSERT((is.crossed & ~is.owned) == 0u);
-    RC_ASSERT((is.owned & ~is.touched) == 0u);
-    RC_ASSERT(std::popcount(is.owned) == static_cast<int>(is.owners));
+    const truth exact = truth_of(*any_trial());
+    RC_ASSERT((exact.crossed & ~exact.owned) == 0u);
+    RC_ASSERT((exact.owned & ~exact.touched) == 0u);
+    RC_ASSERT(std::popcount(exact.owned) == static_cast<int>(exact.owners));
   });
 }
 

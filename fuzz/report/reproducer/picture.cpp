@@ -54,16 +54,16 @@ constexpr std::string_view centred = " text-anchor=\"middle\"";
 
 /// A filled arrowhead whose tip is (x, y), pointing along (dx, dy), a unit vector.
 std::string arrow(double x, double y, double dx, double dy) {
-  const double bx = x - 13 * dx, by = y - 13 * dy;
+  const double base_x = x - 13 * dx, base_y = y - 13 * dy;
   return fmt::format("<polygon class=\"ray\" points=\"{:.2f},{:.2f} {:.2f},{:.2f} {:.2f},{:.2f}\" "
                      "fill=\"#0550ae\"/>\n",
-                     x, y, bx - 5 * dy, by + 5 * dx, bx + 5 * dy, by - 5 * dx);
+                     x, y, base_x - 5 * dy, base_y + 5 * dx, base_x + 5 * dy, base_y - 5 * dx);
 }
 
 class drawing {
 public:
   explicit drawing(const reproduction& r)
-      : r_(r), t_(r.answered), box_(r.box()), p_(passage_of(t_, box_)),
+      : r_(r), t_(r.answered), box_(r.octant()), p_(passage_of(t_, box_)),
         h_(std::min(p_.along, p_.across)), v_(std::max(p_.along, p_.across)), third_(3 - h_ - v_) {}
 
   std::string svg() {
@@ -102,7 +102,9 @@ private:
     return top + side - in_cells_v / cells() * side;
   }
   [[nodiscard]] double place(unsigned k) const { return margin + k; }
-  [[nodiscard]] unsigned index_of(voxel v, unsigned axis) const { return v >> (2 * axis) & 3u; }
+  [[nodiscard]] unsigned index_of(octant_number v, unsigned axis) const {
+    return v >> (2 * axis) & 3u;
+  }
 
   void title() {
     body_ += label(12, 22, fmt::format("{} by {}", name_of(r_.kind), r_.traversal.substr(0, 40)),
@@ -133,8 +135,8 @@ private:
         at[h_] = i;
         at[v_] = j;
         at[third_] = index_of(r_.subject, third_);
-        const voxel v = voxel_at(at[0], at[1], at[2]);
-        const bool visited = (r_.said.set() >> v & 1) != 0;
+        const octant_number v = octant_at(at[0], at[1], at[2]);
+        const bool visited = (r_.answer.set() >> v & 1) != 0;
         cell(i, j, "class=\"octant\" fill=\"#eee\"");
         if (v == r_.subject)
           cell(i, j, "id=\"missed\" fill=\"#f4a29b\" stroke=\"#c00\" stroke-width=\"3\"");

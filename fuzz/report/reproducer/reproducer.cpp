@@ -17,42 +17,43 @@ std::uint64_t hash_of(std::string_view text) {
   return hash;
 }
 
-voxel lowest(voxel_set set) { return static_cast<voxel>(std::countr_zero(set)); }
+octant_number lowest(octant_set set) { return static_cast<octant_number>(std::countr_zero(set)); }
 
 /// The octant that the finding is about; the block's first where no octant alone is to blame.
-voxel subject_of(const trial& t, const truth& is, const visited& said, promise p, finding kind) {
-  voxel_set set = 0;
+octant_number subject_of(const trial& t, const truth& exact, const visited& answer, promise p,
+                         finding kind) {
+  octant_set set = 0;
   switch (kind) {
   case finding::gross_miss:
-    set = gross(t, crossed_missed(is, said));
+    set = gross(t, crossed_missed(exact, answer));
     break;
   case finding::crossed_miss:
-    set = crossed_missed(is, said);
+    set = crossed_missed(exact, answer);
     break;
   case finding::gap:
-    for (unsigned i = 0; i < is.length_count && set == 0; ++i)
-      if ((is.lengths[i] & said.set()) == 0)
-        set = is.lengths[i];
+    for (unsigned i = 0; i < exact.length_count && set == 0; ++i)
+      if ((exact.lengths[i] & answer.set()) == 0)
+        set = exact.lengths[i];
     break;
   case finding::miss:
-    set = misses(is, said, p) & ~is.crossed;
+    set = misses(exact, answer, p) & ~exact.crossed;
     break;
   case finding::far_spurious:
-    set = far_spurious(t, is, said);
+    set = far_spurious(t, exact, answer);
     break;
   case finding::spurious:
-    set = spurious(is, said, p);
+    set = spurious(exact, answer, p);
     break;
   case finding::order:
     // the first owner that was visited after one that lies behind it
-    for (unsigned at = 0, i = 0; i < said.size() && set == 0; ++i) {
+    for (unsigned at = 0, i = 0; i < answer.size() && set == 0; ++i) {
       const auto* place =
-          std::find(is.owner_order.data(), is.owner_order.data() + is.owners, said[i]);
-      const auto index = static_cast<unsigned>(place - is.owner_order.data());
-      if (index == is.owners)
+          std::find(exact.owner_order.data(), exact.owner_order.data() + exact.owners, answer[i]);
+      const auto index = static_cast<unsigned>(place - exact.owner_order.data());
+      if (index == exact.owners)
         continue;
       if (index < at)
-        set = voxel_set{1} << said[i];
+        set = octant_set{1} << answer[i];
       at = index;
     }
     break;
@@ -70,11 +71,11 @@ reproduction reproduction_of(const trial& t, traversal& under_test, finding kind
   reproduction r{
       t,  t,  name, options.empty() ? "--traversal " + name : options, under_test.promises(), kind,
       {}, {}, 0};
-  ask(under_test, t, r.said);
-  if (const auto answered = trial_answered(t, r.said))
+  ask(under_test, t, r.answer);
+  if (const auto answered = trial_answered(t, r.answer))
     r.answered = *answered;
   r.judged = replay(t, under_test);
-  r.subject = subject_of(r.answered, truth_of(r.answered), r.said, r.promises, kind);
+  r.subject = subject_of(r.answered, truth_of(r.answered), r.answer, r.promises, kind);
   return r;
 }
 

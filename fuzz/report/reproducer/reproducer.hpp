@@ -21,12 +21,12 @@ struct reproduction {
   std::string options; ///< how graze-fuzz is asked for it: "--traversal NAME"
   promise promises;
   finding kind;
-  visited said;         ///< the answer
-  replay_result judged; ///< by rationals
-  voxel subject;        ///< the octant that the finding is about: the first that was missed, ...
+  visited answer;
+  replay_result judged;  ///< by rationals
+  octant_number subject; ///< the octant that the finding is about: the first that was missed, ...
 
   /// The octant's box.
-  [[nodiscard]] cube box() const { return answered.octant(subject); }
+  [[nodiscard]] cube octant() const { return answered.octant(subject); }
 };
 
 /// Asks the traversal and the oracles; `kind` is among the findings of `t`, as after shrink().

@@ -76,7 +76,7 @@ std::optional<relation> relation_of(const reproduction& r) {
 
 std::string reproducer_snippet(const reproduction& r) {
   const trial& t = r.answered;
-  const cube box = r.box();
+  const cube box = r.octant();
   const vec3 hi{box.hi(0), box.hi(1), box.hi(2)};
   std::string text =
       fmt::format("// {} by {}: {} (octant {}).\n// Root {} size {}, level {}.\n", name_of(r.kind),

@@ -16,7 +16,7 @@ std::string reproducer_json(const reproduction& r) {
 
 std::string reproducer_text(const reproduction& r) {
   const trial& t = r.answered;
-  const cube box = r.box();
+  const cube box = r.octant();
   const passage p = passage_of(t, box);
   std::string text = fmt::format("{} by {}\n", name_of(r.kind), r.traversal);
   text += fmt::format("root       {} size {}, level {}\n", spelled(t.root.lo), hex(t.root.size),

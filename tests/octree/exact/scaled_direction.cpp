@@ -55,10 +55,10 @@ vec3 any_direction(fuzz::random_stream& random) {
   return d;
 }
 
-std::vector<fuzz::voxel> order_of(fuzz::traversal& t, const fuzz::trial& at) {
+std::vector<fuzz::octant_number> order_of(fuzz::traversal& t, const fuzz::trial& at) {
   fuzz::visited said;
   t.visit(at, said);
-  std::vector<fuzz::voxel> order;
+  std::vector<fuzz::octant_number> order;
   for (unsigned i = 0; i < said.size(); ++i)
     order.push_back(said[i]);
   return order;
