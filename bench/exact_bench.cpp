@@ -2,12 +2,12 @@
 /// decisions and rays per second. The predicate is asked as it is within a descent, with the mode
 /// set upwards.
 #include <benchmark/benchmark.h>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/method_traversal.hpp>
+#include <generate/generators.hpp>
 #include <graze/octree/exact.hpp>
 #include <graze/rounding/environment.hpp>
 #include <graze/rounding/upward.hpp>
 #include <string>
+#include <traversal/method_traversal.hpp>
 #include <vector>
 
 namespace {
@@ -28,8 +28,9 @@ std::vector<question> questions_of(const fuzz::generator& g) {
   for (unsigned k = 0; k < rays; ++k) {
     const fuzz::trial t = fuzz::make_trial(g, 3, k, level);
     all.push_back({*octree::ray::make(t.origin, t.direction), {}});
-    for (fuzz::voxel_set left = t.all(); left != 0; left &= left - 1)
-      all.back().octants.push_back(t.octant(static_cast<fuzz::voxel>(std::countr_zero(left))));
+    for (fuzz::octant_set left = t.all(); left != 0; left &= left - 1)
+      all.back().octants.push_back(
+          t.octant(static_cast<fuzz::octant_number>(std::countr_zero(left))));
   }
   return all;
 }

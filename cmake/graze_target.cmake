@@ -14,7 +14,8 @@ function(graze_flags target)
 endfunction()
 
 # graze_library(NAME [SOURCES...] [FOLDERS folder...]): the library target graze_NAME, alias graze::NAME,
-# with headers in include/, or in that of each folder. Header-only when no source is given.
+# with headers in include/, or in that of each folder; where there is none, beside the sources. Header-only
+# when no source is given.
 function(graze_library name)
   cmake_parse_arguments(arg "" "" "FOLDERS" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS)
@@ -27,6 +28,9 @@ function(graze_library name)
     target_compile_features(graze_${name} INTERFACE cxx_std_20)
   endif()
   set(headers include)
+  if(NOT IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    set(headers .)
+  endif()
   if(arg_FOLDERS)
     list(TRANSFORM arg_FOLDERS APPEND /include OUTPUT_VARIABLE headers)
   endif()

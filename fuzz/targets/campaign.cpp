@@ -1,8 +1,9 @@
 /// What a campaign's folder holds: plan.json and lines of progress.jsonl. Any text is refused with a
 /// reason, or reads back as it is written.
 #include "target.hpp"
-#include <graze/fuzz/campaign_store.hpp>
+#include <campaign/store.hpp>
 #include <graze/support/text.hpp>
+#include <trial/content_hash.hpp>
 
 using namespace graze::fuzz;
 

@@ -1,9 +1,9 @@
 /// Answers of a traversal in another process: whatever its lines hold, what is read of them is
 /// within the block and can be judged.
 #include "target.hpp"
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/line_protocol.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <external/line_protocol.hpp>
+#include <generate/generators.hpp>
+#include <judge/judge.hpp>
 
 using namespace graze::fuzz;
 
@@ -23,16 +23,16 @@ trial asked() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const trial t = asked();
   const std::string line = target::text_of({data, size});
-  if (const auto said = read_hello(line))
-    target::require(!said->promised || said->wrong.empty(), "a promise that is both");
-  visited said;
-  said.clear();
-  read_answer(line, t, number, said);
-  target::require((said.set() & ~t.all()) == 0, "visited outside the block");
-  target::require(std::popcount(said.set()) == static_cast<int>(said.size()),
+  if (const auto greeting = read_hello(line))
+    target::require(!greeting->promised || greeting->wrong.empty(), "a promise that is both");
+  visited answer;
+  answer.clear();
+  read_answer(line, t, number, answer);
+  target::require((answer.set() & ~t.all()) == 0, "visited outside the block");
+  target::require(std::popcount(answer.set()) == static_cast<int>(answer.size()),
                   "the set is not that of the order");
-  const verdict v = judge_answer(t, said, promise::touched);
-  if (said.failed() != fault::none && !v.declined)
+  const verdict v = judge_answer(t, answer, promise::touched);
+  if (answer.failed() != fault::none && !v.declined)
     target::require(v.findings != 0, "a fault that is no finding");
   return 0;
 }

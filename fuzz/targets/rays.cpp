@@ -3,10 +3,11 @@
 #include "target.hpp"
 #include <algorithm>
 #include <cstdlib>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/mutate.hpp>
-#include <graze/fuzz/properties.hpp>
-#include <graze/fuzz/replay.hpp>
+#include <generate/generators.hpp>
+#include <generate/mutate.hpp>
+#include <judge/judge.hpp>
+#include <traversal/list.hpp>
+#include <trial/replay_line.hpp>
 
 using namespace graze::fuzz;
 
@@ -40,14 +41,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!t)
     return -1; // not for the corpus
   static const auto all = under_test();
-  for (const auto& one : all) {
-    const finding_set findings = judge(*t, *one).findings;
+  for (const auto& asked : all) {
+    const finding_set findings = judge(*t, *asked).findings;
     if (findings != 0)
-      target::wrong(std::string(one->name())
+      target::wrong(std::string(asked->name())
                         .append(": ")
                         .append(name_of(worst(findings)))
-                        .append("\n")
-                        .append(to_json_line(*t)));
+                        .append("\nreplay: echo '")
+                        .append(to_json_line(*t))
+                        .append("' | graze-fuzz replay - --traversal ")
+                        .append(asked->name()));
   }
   return 0;
 }

@@ -1,7 +1,7 @@
 /// Replay lines: what is read is a legal trial, and is written so that it reads back.
 #include "target.hpp"
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/replay.hpp>
+#include <generate/generators.hpp>
+#include <trial/replay_line.hpp>
 
 using namespace graze::fuzz;
 

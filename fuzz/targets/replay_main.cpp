@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <graze/fuzz/campaign_store.hpp>
 #include <graze/rounding/environment.hpp>
 #include <iterator>
 #include <sys/resource.h>
+#include <trial/content_hash.hpp>
 
 // the target's own, where it has one
 extern "C" [[gnu::weak]] std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,

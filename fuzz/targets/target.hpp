@@ -4,11 +4,11 @@
 /// every build to replay_main.cpp, so that it is compiled and run with the tests.
 #include <cstddef>
 #include <cstdint>
-#include <graze/fuzz/codec.hpp>
-#include <graze/fuzz/random.hpp>
+#include <generate/random.hpp>
 #include <span>
 #include <string>
 #include <string_view>
+#include <trial/codec.hpp>
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

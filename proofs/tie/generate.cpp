@@ -3,9 +3,9 @@
 /// are made of special numbers, in which operands agree, or nearly, or lie as far apart as can be.
 #include "line.hpp"
 #include <cstdlib>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/number.hpp>
+#include <generate/generators.hpp>
 #include <limits>
+#include <trial/number.hpp>
 
 namespace {
 

@@ -1,8 +1,8 @@
 /// The baselines' misses are found at once, shrunk, and told again by rationals.
 #include "campaign_of.hpp"
-#include <graze/fuzz/replay.hpp>
-#include <graze/fuzz/report.hpp>
-#include <graze/fuzz/shrink.hpp>
+#include <judge/replay.hpp>
+#include <report/report.hpp>
+#include <shrink/shrink.hpp>
 
 using namespace graze::fuzz;
 
@@ -16,7 +16,7 @@ void found_at_once(std::string_view name) {
     CHECK(result.first_miss_seconds);
     campaign_plan soonest = plan;
     soonest.until_finding = true;
-    soonest.threads = 1;
+    soonest.workers = 1;
     CHECK(run(soonest).total.rays < 2000);
     CHECK(result.total.crossed_missed > 0);
     CHECK(result.total.misses == result.total.crossed_missed); // only a crossed octant counts here
@@ -29,7 +29,7 @@ void found_at_once(std::string_view name) {
     // through the codec, as a user would
     const auto again = from_json_line(to_json_line(c->shrunk));
     REQUIRE(again);
-    const auto baseline = plan.under_test->make();
+    const auto baseline = plan.under_test.make();
     const replay_result wrong = replay(*again, *baseline);
     CHECK(wrong.oracles_agree);
     CHECK(wrong.crosses == 1);

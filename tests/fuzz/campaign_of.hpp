@@ -1,6 +1,6 @@
 #pragma once
+#include <campaign/campaign.hpp>
 #include <catch2/catch.hpp>
-#include <graze/fuzz/campaign.hpp>
 
 namespace graze::fuzz {
 
@@ -8,15 +8,16 @@ namespace graze::fuzz {
 inline campaign_plan plan_of(std::string_view traversal, int level, std::uint64_t rays,
                              std::string_view only = {}) {
   campaign_plan plan;
-  plan.under_test = find_traversal(traversal);
-  REQUIRE(plan.under_test != nullptr);
+  const traversal_entry* const named = find_traversal(traversal);
+  REQUIRE(named != nullptr);
+  plan.under_test = *named;
   for (const generator& g : generators())
     if (only.empty() || g.name == only)
       plan.generators.push_back(&g);
   REQUIRE_FALSE(plan.generators.empty());
   plan.level = plan.last_level = level;
-  plan.rays = rays;
-  plan.threads = 2;
+  plan.trials = rays;
+  plan.workers = 2;
   return plan;
 }
 

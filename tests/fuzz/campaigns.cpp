@@ -1,5 +1,5 @@
 #include "campaign_of.hpp"
-#include <graze/fuzz/report.hpp>
+#include <report/report.hpp>
 
 using namespace graze::fuzz;
 
@@ -63,16 +63,16 @@ TEST_CASE("fuzz.campaign: the lanes keep their promises to level 20 and decline 
 TEST_CASE("fuzz.campaign: counts and first findings do not depend on the number of threads",
           "[property]") {
   campaign_plan plan = plan_of("published", 40, 20'001);
-  plan.threads = 1;
-  const campaign_result one = run(plan);
+  plan.workers = 1;
+  const campaign_result single = run(plan);
   for (const unsigned threads : {2u, 3u, 7u}) {
-    plan.threads = threads;
-    const campaign_result many = run(plan);
-    CHECK(many.first == one.first);
-    REQUIRE(many.by_generator.size() == one.by_generator.size());
-    for (std::size_t g = 0; g < one.by_generator.size(); ++g)
-      CHECK(many.by_generator[g] == one.by_generator[g]);
-    const auto a = counterexample_of(plan, one), b = counterexample_of(plan, many);
+    plan.workers = threads;
+    const campaign_result several = run(plan);
+    CHECK(several.first == single.first);
+    REQUIRE(several.by_generator.size() == single.by_generator.size());
+    for (std::size_t g = 0; g < single.by_generator.size(); ++g)
+      CHECK(several.by_generator[g] == single.by_generator[g]);
+    const auto a = counterexample_of(plan, single), b = counterexample_of(plan, several);
     REQUIRE((a && b));
     CHECK(a->shrunk == b->shrunk);
   }
@@ -83,8 +83,8 @@ TEST_CASE("fuzz.campaign: a piece of a campaign counts the same rays", "[propert
   const counts whole = run(plan).total;
   counts pieces;
   for (const std::uint64_t from : {0, 2000, 4000}) {
-    plan.first_ray = from;
-    plan.rays = 2000;
+    plan.first = from;
+    plan.trials = 2000;
     pieces += run(plan).total;
   }
   CHECK(pieces == whole);

@@ -1,15 +1,15 @@
 /// What makes campaigns fast says what the slow way says.
 #include <catch2/catch.hpp>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/method_traversal.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <generate/generators.hpp>
 #include <graze/octree/exact.hpp>
 #include <graze/octree/sound.hpp>
 #include <graze/oracle/rational.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/upward.hpp>
+#include <judge/judge.hpp>
 #include <peers/paper2005/published.hpp>
+#include <traversal/method_traversal.hpp>
 
 using namespace graze::fuzz;
 using namespace graze::octree;
@@ -40,12 +40,12 @@ template <class Check> void for_trials(std::uint64_t each, const Check& check) {
         check(make_trial(g, 2026, i, level), g, i);
 }
 
-std::vector<voxel> answer(traversal& under_test, const trial& t) {
-  visited said;
-  under_test.visit(t, said);
-  std::vector<voxel> order;
-  for (unsigned i = 0; i < said.size(); ++i)
-    order.push_back(said[i]);
+std::vector<octant_number> answer(traversal& under_test, const trial& t) {
+  visited visits;
+  under_test.visit(t, visits);
+  std::vector<octant_number> order;
+  for (unsigned i = 0; i < visits.size(); ++i)
+    order.push_back(visits[i]);
   return order;
 }
 
@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("octree.descent: child by child visits what split visits, in 
   method_traversal<by_split<TestType>> slow("slow", promise::touched);
   std::uint64_t visits = 0;
   for_trials(40, [&](const trial& t, const generator& g, std::uint64_t i) {
-    const std::vector<voxel> order = answer(fast, t);
+    const std::vector<octant_number> order = answer(fast, t);
     visits += order.size();
     if (order != answer(slow, t)) {
       CAPTURE(g.name, t.level, i);
@@ -109,11 +109,11 @@ TEST_CASE("fuzz.properties: the truth is that of rationals, for every generator 
   std::uint64_t trials = 0, touched = 0, crossed = 0, owned = 0;
   for_trials(100, [&](const trial& t, const generator& g, std::uint64_t i) {
     ++trials;
-    const truth is = truth_of(t);
+    const truth exact = truth_of(t);
     // one octant of the block
-    const auto v =
-        voxel_at(static_cast<unsigned>(i % t.extent[0]), static_cast<unsigned>(i / 2 % t.extent[1]),
-                 static_cast<unsigned>(i / 4 % t.extent[2]));
+    const auto v = octant_at(static_cast<unsigned>(i % t.extent[0]),
+                             static_cast<unsigned>(i / 2 % t.extent[1]),
+                             static_cast<unsigned>(i / 4 % t.extent[2]));
     const cube box = t.octant(v);
     const vec3 hi{box.hi(0), box.hi(1), box.hi(2)};
     unsigned far = t.at_far_face();
@@ -126,12 +126,12 @@ TEST_CASE("fuzz.properties: the truth is that of rationals, for every generator 
     touched += touches ? 1 : 0;
     crossed += crosses ? 1 : 0;
     owned += owns ? 1 : 0;
-    if (((is.touched >> v & 1) != 0) != touches || ((is.crossed >> v & 1) != 0) != crosses ||
-        ((is.owned >> v & 1) != 0) != owns) {
+    if (((exact.touched >> v & 1) != 0) != touches || ((exact.crossed >> v & 1) != 0) != crosses ||
+        ((exact.owned >> v & 1) != 0) != owns) {
       CAPTURE(g.name, t.level, i, static_cast<int>(v), touches, crosses, owns);
-      REQUIRE(((is.touched >> v & 1) != 0) == touches);
-      REQUIRE(((is.crossed >> v & 1) != 0) == crosses);
-      REQUIRE(((is.owned >> v & 1) != 0) == owns);
+      REQUIRE(((exact.touched >> v & 1) != 0) == touches);
+      REQUIRE(((exact.crossed >> v & 1) != 0) == crosses);
+      REQUIRE(((exact.owned >> v & 1) != 0) == owns);
     }
   });
   CHECK(trials >= 100'000);

@@ -2,11 +2,11 @@
 /// on, and the campaign goes on.
 #include "../support/program.hpp"
 #include "campaign_of.hpp"
-#include <graze/fuzz/lasting_campaign.hpp>
-#include <graze/fuzz/replay.hpp>
-#include <graze/fuzz/report.hpp>
-#include <graze/fuzz/reproducer.hpp>
+#include <campaign/lasting.hpp>
+#include <judge/replay.hpp>
 #include <nlohmann/json.hpp>
+#include <report/report.hpp>
+#include <report/reproducer/reproducer.hpp>
 #include <stdexcept>
 
 using namespace graze::fuzz;
@@ -72,13 +72,13 @@ TEST_CASE("fuzz.exceptions: in a campaign each ray that brings one on is a findi
           "[property]") {
   for (const unsigned threads : {1u, 3u}) {
     campaign_plan plan = plan_of("mutant-throws", 10, 5000);
-    plan.threads = threads;
+    plan.workers = threads;
     std::uint64_t expected = 0;
-    for (std::uint64_t k = 0; k < plan.rays; ++k)
+    for (std::uint64_t k = 0; k < plan.trials; ++k)
       expected += thrown_at(trial_of(plan, k)) ? 1 : 0;
     CHECK(expected > 500);
     const campaign_result result = run(plan);
-    CHECK(result.total.rays == plan.rays);
+    CHECK(result.total.rays == plan.trials);
     CHECK(result.total.faults == expected);
     CHECK(result.total.findings == expected);
     CHECK(result.worst_finding() == finding::exception);
@@ -98,13 +98,13 @@ TEST_CASE("fuzz.exceptions: of many rays at once, the one that throws is found; 
   const traversal_entry entry{"hard-to-make", "",
                               [&] { return std::unique_ptr<traversal>(new hard_to_make(made)); }};
   campaign_plan plan = plan_of("sound", 10, 500);
-  plan.under_test = &entry;
-  plan.threads = 1;
+  plan.under_test = entry;
+  plan.workers = 1;
   std::uint64_t expected = 0;
-  for (std::uint64_t k = 0; k < plan.rays; ++k)
+  for (std::uint64_t k = 0; k < plan.trials; ++k)
     expected += thrown_at(trial_of(plan, k)) ? 1 : 0;
   const counts c = run(plan).total;
-  CHECK(c.rays == plan.rays);
+  CHECK(c.rays == plan.trials);
   CHECK(c.faults >= expected); // and those for which it could not be made
   CHECK(c.faults == c.findings);
   CHECK(c.faults + c.declined == c.rays);

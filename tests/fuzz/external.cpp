@@ -2,14 +2,14 @@
 /// going wrong is told, on the ray that brings it on.
 #include "../support/program.hpp"
 #include "campaign_of.hpp"
+#include <external/external.hpp>
 #include <filesystem>
 #include <fstream>
-#include <graze/fuzz/external.hpp>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/replay.hpp>
 #include <iostream>
+#include <judge/replay.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <trial/number.hpp>
 
 using namespace graze::fuzz;
 
@@ -32,8 +32,8 @@ traversal_entry started(const external_options& options) {
 campaign_result campaign(const traversal_entry& entry, std::uint64_t rays, unsigned threads = 2,
                          int level = 10) {
   campaign_plan plan = plan_of("sound", level, rays);
-  plan.under_test = &entry;
-  plan.threads = threads;
+  plan.under_test = entry;
+  plan.workers = threads;
   return run(plan);
 }
 
@@ -62,22 +62,22 @@ bool no_process_left() {
 /// Trials of many kinds, asked as a campaign asks them; what is found on each.
 struct judged {
   trial at;
-  verdict said;
+  verdict judgement;
 };
 std::vector<judged> ask(const traversal_entry& entry, std::size_t count) {
   const campaign_plan plan = plan_of("sound", 10, count);
   std::vector<trial> trials;
   for (std::size_t k = 0; k < count; ++k)
     trials.push_back(trial_of(plan, k));
-  std::vector<visited> said(count);
+  std::vector<visited> answers(count);
   const auto under_test = entry.make();
   for (std::size_t k = 0; k < count;) {
     const std::size_t some = std::min<std::size_t>(64, count - k);
-    k += under_test->visit_some(std::span(trials).subspan(k, some), std::span(said).subspan(k));
+    k += under_test->visit_some(std::span(trials).subspan(k, some), std::span(answers).subspan(k));
   }
   std::vector<judged> result;
   for (std::size_t k = 0; k < count; ++k)
-    result.push_back({trials[k], judge_answer(trials[k], said[k], under_test->promises())});
+    result.push_back({trials[k], judge_answer(trials[k], answers[k], under_test->promises())});
   return result;
 }
 
@@ -87,7 +87,7 @@ void only_backwards(const external_options& options, finding kind, std::size_t c
   for (const judged& j : ask(started(options), count)) {
     const bool expected = j.at.direction[0] < 0;
     backwards += expected ? 1 : 0;
-    CHECK(j.said.findings == (expected ? bit(kind) : 0u));
+    CHECK(j.judgement.findings == (expected ? bit(kind) : 0u));
   }
   CHECK(backwards > 5);
   CHECK(backwards < count - 5);
@@ -142,8 +142,8 @@ TEST_CASE("fuzz.external: a crash that has nothing to do with a ray is told all 
           "[unit]") {
   std::size_t crashes = 0;
   for (const judged& j : ask(started(peer("once")), 500)) {
-    crashes += j.said.findings != 0 ? 1 : 0;
-    CHECK((j.said.findings & ~bit(finding::crash)) == 0u);
+    crashes += j.judgement.findings != 0 ? 1 : 0;
+    CHECK((j.judgement.findings & ~bit(finding::crash)) == 0u);
   }
   CHECK(crashes >= 3);
   CHECK(crashes <= 25);
@@ -152,9 +152,9 @@ TEST_CASE("fuzz.external: a crash that has nothing to do with a ray is told all 
 TEST_CASE("fuzz.external: a ray that is declined is counted, and judged nothing", "[unit]") {
   std::size_t declined = 0;
   for (const judged& j : ask(started(peer("skip")), 200)) {
-    CHECK(j.said.declined == (j.at.direction[0] < 0));
-    CHECK(j.said.findings == 0u);
-    declined += j.said.declined ? 1 : 0;
+    CHECK(j.judgement.declined == (j.at.direction[0] < 0));
+    CHECK(j.judgement.findings == 0u);
+    declined += j.judgement.declined ? 1 : 0;
   }
   CHECK(declined > 5);
   CHECK(campaign(started(peer("skip")), 200).total.declined == declined);
@@ -162,7 +162,7 @@ TEST_CASE("fuzz.external: a ray that is declined is counted, and judged nothing"
 
 TEST_CASE("fuzz.external: a voxel outside the grid is a finding", "[unit]") {
   for (const judged& j : ask(started(peer("outside")), 200))
-    CHECK(((j.said.findings & bit(finding::outside)) != 0) == (j.at.direction[0] < 0));
+    CHECK(((j.judgement.findings & bit(finding::outside)) != 0) == (j.at.direction[0] < 0));
 }
 
 TEST_CASE("fuzz.external: who rounds rays is judged on the ray that was received", "[property]") {
@@ -235,7 +235,7 @@ TEST_CASE("fuzz.external: answers are read in every spelling, and wrong ones ref
     read_answer(line, t, 7, out);
     return out;
   };
-  const voxel_set two = voxel_set{1} << voxel_at(0, 0, 0) | voxel_set{1} << voxel_at(1, 1, 0);
+  const octant_set two = octant_set{1} << octant_at(0, 0, 0) | octant_set{1} << octant_at(1, 1, 0);
   for (const char* line :
        {"[[2,4,6],[3,5,6]]", " [[2.0,4,6],[3,5e0,6]]", R"({"visited":[[2,4,6],[3,5,6]]})",
         R"({"id":7,"visited":[[2,4,6],[7,7,7],[3,5,6]]})", "2 4 6 3 5 6", " 2 4 6  3 5 6.0 ",

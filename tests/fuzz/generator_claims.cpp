@@ -1,9 +1,9 @@
 /// The generators do what their names say, by the oracle.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <generate/generators.hpp>
 #include <graze/oracle/geometry.hpp>
+#include <judge/judge.hpp>
 
 using namespace graze::fuzz;
 
@@ -33,11 +33,11 @@ int planes_met(const trial& t) {
 template <class Holds> double share(const char* name, Holds holds) {
   const generator* g = find_generator(name);
   REQUIRE(g != nullptr);
-  unsigned yes = 0;
+  unsigned holding = 0;
   for (const int level : levels)
     for (unsigned k = 0; k < sample; ++k)
-      yes += holds(make_trial(*g, 7, k, level)) ? 1 : 0;
-  return yes / double(sample * levels.size());
+      holding += holds(make_trial(*g, 7, k, level)) ? 1 : 0;
+  return holding / double(sample * levels.size());
 }
 
 bool through_vertex(const trial& t) { return planes_met(t) == 3; }

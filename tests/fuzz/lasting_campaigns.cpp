@@ -1,10 +1,10 @@
 /// Campaigns that last: killed at any moment, sharded, resumed.
 #include "../support/program.hpp"
+#include <campaign/lasting.hpp>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>
-#include <graze/fuzz/lasting_campaign.hpp>
 #include <nlohmann/json.hpp>
 #include <sys/prctl.h>
 #include <thread>
@@ -86,7 +86,8 @@ public:
     char* line = nullptr;
     std::size_t room = 0;
     while (pieces > 0 && getline(&line, &room, events_) > 0)
-      pieces -= std::string_view(line).find("\"event\":\"piece\"") != std::string_view::npos ? 1 : 0;
+      pieces -=
+          std::string_view(line).find("\"event\":\"piece\"") != std::string_view::npos ? 1 : 0;
     std::free(line);
     return pieces == 0;
   }
@@ -239,8 +240,8 @@ TEST_CASE("graze-fuzz campaign: shards together are the whole, each piece once",
     CHECK(call("campaign " + folder + searched + " --shard " + shard + "/3").code == 1);
     folders += " " + folder;
   }
-  const auto json_of = [&](const std::string& of) {
-    const outcome o = call("summary" + of + " --json --html " + (dir / "page.html"));
+  const auto json_of = [&](const std::string& folders_named) {
+    const outcome o = call("summary" + folders_named + " --json --html " + (dir / "page.html"));
     CHECK(o.code == 1);
     auto object = nlohmann::json::parse(o.out);
     object.erase("seconds");

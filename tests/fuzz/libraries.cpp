@@ -1,7 +1,7 @@
 /// The adapters to libraries: each answers rays with nothing special rightly, and is caught where
 /// it is known to be wrong. A library that is not there is skipped.
 #include "campaign_of.hpp"
-#include <graze/fuzz/libraries.hpp>
+#include <external/libraries.hpp>
 #include <iostream>
 
 using namespace graze::fuzz;
@@ -20,10 +20,10 @@ std::optional<traversal_entry> find_library(std::string_view name) {
   return std::nullopt;
 }
 
-counts of(const traversal_entry& entry, std::string_view generator, std::uint64_t rays) {
+counts counts_of(const traversal_entry& entry, std::string_view generator, std::uint64_t rays) {
   campaign_plan plan = plan_of("sound", 10, rays, generator);
-  plan.under_test = &entry;
-  plan.threads = 1;
+  plan.under_test = entry;
+  plan.workers = 1;
   const counts c = run(plan).total;
   CHECK(c.rays == rays);
   CHECK(c.faults == 0);
@@ -37,11 +37,11 @@ void right_and_wrong(std::string_view name, std::uint64_t random, std::uint64_t 
   if (!entry)
     return;
   INFO(name);
-  const counts usual = of(*entry, "random", random);
+  const counts usual = counts_of(*entry, "random", random);
   CHECK(usual.misses == 0);
   CHECK(usual.gaps == 0);
   CHECK(usual.declined == 0);
-  CHECK(of(*entry, "aimed-vertex", aimed).crossed_missed > 0);
+  CHECK(counts_of(*entry, "aimed-vertex", aimed).crossed_missed > 0);
 }
 
 } // namespace
@@ -65,10 +65,10 @@ TEST_CASE("fuzz.libraries: NanoVDB misses voxels of random rays too", "[property
     if (!entry)
       return;
     INFO(name);
-    const counts usual = of(*entry, "random", 50);
+    const counts usual = counts_of(*entry, "random", 50);
     CHECK(usual.gross_missed > 0);
     CHECK(usual.rays_with_miss < 40);
-    CHECK(of(*entry, "aimed-vertex", 50).gross_missed > 0);
+    CHECK(counts_of(*entry, "aimed-vertex", 50).gross_missed > 0);
   }
 }
 
@@ -82,8 +82,8 @@ TEST_CASE("fuzz.libraries: CGAL is wrong in double", "[property]") {
   const auto entry = find_library("cgal-inexact");
   if (!entry)
     return;
-  CHECK(of(*entry, "random", 1000).misses == 0);
-  CHECK(of(*entry, "aimed-vertex", 2000).crossed_missed > 0);
+  CHECK(counts_of(*entry, "random", 1000).misses == 0);
+  CHECK(counts_of(*entry, "aimed-vertex", 2000).crossed_missed > 0);
 }
 
 TEST_CASE("fuzz.libraries: CGAL's octree is not accused", "[property]") {
@@ -92,7 +92,7 @@ TEST_CASE("fuzz.libraries: CGAL's octree is not accused", "[property]") {
     if (!entry)
       return;
     campaign_plan plan = plan_of("sound", 10, 1500);
-    plan.under_test = &*entry;
+    plan.under_test = *entry;
     const counts c = run(plan).total;
     INFO(name);
     CHECK(c.findings == 0);
@@ -107,7 +107,7 @@ TEST_CASE("fuzz.libraries: CGAL with exact predicates is not accused", "[propert
       return;
     for (const int level : {1, 10, 53}) {
       campaign_plan plan = plan_of("sound", level, 1500);
-      plan.under_test = &*entry;
+      plan.under_test = *entry;
       const counts c = run(plan).total;
       INFO(name << " at level " << level);
       CHECK(c.findings == 0);

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <external/libraries.hpp>
 #include <filesystem>
 #include <fstream>
-#include <graze/fuzz/libraries.hpp>
 
 using namespace graze::fuzz;
 namespace fs = std::filesystem;

@@ -49,8 +49,8 @@ TEST_CASE("graze-fuzz run: --json prints one object with what is promised", "[un
   CHECK(object["first_miss_seconds"] >= 0);
   CHECK(object["counterexample"].contains("octant"));
   CHECK(object["generators"].size() == 19);
-  for (const auto& of : object["generators"])
-    CHECK(of.contains("spurious_rate"));
+  for (const auto& counted : object["generators"])
+    CHECK(counted.contains("spurious_rate"));
   const auto clean =
       nlohmann::json::parse(call("run --rays 2000 --json --generator vertex,random").out);
   CHECK(clean["counterexample"].is_null());
@@ -64,10 +64,10 @@ TEST_CASE("graze-fuzz run: the saved counterexample replays", "[unit]") {
   CHECK(call("run --rays 20000 --traversal published --save " + file).code == 1);
   const outcome o = call("replay " + file + " --traversal published --json");
   CHECK(o.code == 1);
-  const auto said = nlohmann::json::parse(o.out);
-  CHECK(said["touches"] == true);
-  CHECK(said["crosses"] == true);
-  CHECK(said["visited"] == false);
+  const auto replayed = nlohmann::json::parse(o.out);
+  CHECK(replayed["touches"] == true);
+  CHECK(replayed["crosses"] == true);
+  CHECK(replayed["visited"] == false);
   CHECK(call("replay " + file).code == 0);
   CHECK_FALSE(std::filesystem::exists(file + ".part"));
 }
@@ -123,12 +123,37 @@ TEST_CASE("graze-fuzz run: an interrupt ends it early, with its summary", "[unit
   // interrupted once it says that rays were done, however long that takes
   const std::string command = "'" GRAZE_FUZZ "' run --seconds 1000000 --json --progress >" +
                               (dir / "out") + " 2>" + (dir / "err") +
-                              " & pid=$!; until grep -q '[1-9][0-9.]* [kM]*rays  ' " + (dir / "err") +
-                              "; do sleep 0.02; done; kill -INT $pid; wait $pid";
+                              " & pid=$!; until grep -q '[1-9][0-9.]* [kM]*rays  ' " +
+                              (dir / "err") + "; do sleep 0.02; done; kill -INT $pid; wait $pid";
   CHECK(std::system(command.c_str()) == 0);
   const auto object = nlohmann::json::parse(support::content(dir / "out"));
   CHECK(object["interrupted"] == true);
   CHECK(object["rays"] > 0);
+}
+
+TEST_CASE("graze-fuzz run: each kind of finding names the whole command that repeats it",
+          "[unit]") {
+  for (const char* search : {"generators", "climb"}) {
+    const outcome found =
+        call(std::string("run --traversal published --level 10-50 --rays 4000 --seed 3 "
+                         "--generator vertex,edge-1 --search ") +
+             search);
+    CHECK(found.code == 1);
+    std::istringstream lines(found.out);
+    int commands = 0;
+    for (std::string line; std::getline(lines, line);) {
+      const std::string before = "also ", between = ": again: graze-fuzz ";
+      if (!line.starts_with(before))
+        continue;
+      const auto end = line.find(between);
+      REQUIRE(end != std::string::npos);
+      const outcome again = call(line.substr(end + between.size()));
+      CHECK(again.code == 1);
+      CHECK(again.out.find(line.substr(before.size(), end - before.size())) != std::string::npos);
+      ++commands;
+    }
+    CHECK(commands > 0);
+  }
 }
 
 TEST_CASE("graze-fuzz replay: the recorded cases, line by line", "[unit]") {

@@ -1,24 +1,24 @@
 /// The predicates on cases small enough to be checked by eye.
 #include <catch2/catch.hpp>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <generate/generators.hpp>
 #include <graze/oracle/rational.hpp>
+#include <judge/judge.hpp>
 
 using namespace graze::fuzz;
 
 namespace {
 
-visited seen(std::initializer_list<voxel> list) {
+visited seen(std::initializer_list<octant_number> list) {
   visited v;
-  for (const voxel x : list)
+  for (const octant_number x : list)
     v.push(x);
   return v;
 }
 
-constexpr voxel_set set_of(std::initializer_list<voxel> list) {
-  voxel_set s = 0;
-  for (const voxel x : list)
-    s |= voxel_set{1} << x;
+constexpr octant_set set_of(std::initializer_list<octant_number> list) {
+  octant_set s = 0;
+  for (const octant_number x : list)
+    s |= octant_set{1} << x;
   return s;
 }
 
@@ -31,40 +31,41 @@ trial eight(const vec3& o, const vec3& d) {
   return t;
 }
 
-constexpr voxel o000 = voxel_at(0, 0, 0), o100 = voxel_at(1, 0, 0), o010 = voxel_at(0, 1, 0),
-                o001 = voxel_at(0, 0, 1), o111 = voxel_at(1, 1, 1), o011 = voxel_at(0, 1, 1);
+constexpr octant_number o000 = octant_at(0, 0, 0), o100 = octant_at(1, 0, 0),
+                        o010 = octant_at(0, 1, 0), o001 = octant_at(0, 0, 1),
+                        o111 = octant_at(1, 1, 1), o011 = octant_at(0, 1, 1);
 
 } // namespace
 
 TEST_CASE("fuzz.properties: the diagonal touches eight, owns two, crosses two", "[unit]") {
-  const truth is = truth_of(eight({0, 0, 0}, {1, 1, 1}));
-  CHECK(std::popcount(is.touched) == 8);
-  CHECK(is.owned == set_of({o000, o111}));
-  CHECK(is.crossed == set_of({o000, o111}));
-  REQUIRE(is.owners == 2);
-  CHECK(is.owner_order[0] == o000);
-  CHECK(is.owner_order[1] == o111);
+  const truth exact = truth_of(eight({0, 0, 0}, {1, 1, 1}));
+  CHECK(std::popcount(exact.touched) == 8);
+  CHECK(exact.owned == set_of({o000, o111}));
+  CHECK(exact.crossed == set_of({o000, o111}));
+  REQUIRE(exact.owners == 2);
+  CHECK(exact.owner_order[0] == o000);
+  CHECK(exact.owner_order[1] == o111);
 }
 
 TEST_CASE("fuzz.properties: misses are judged by the promise", "[unit]") {
-  const truth is = truth_of(eight({0, 0, 0}, {1, 1, 1}));
+  const truth exact = truth_of(eight({0, 0, 0}, {1, 1, 1}));
   const visited both = seen({o000, o111});
-  CHECK(misses(is, both, promise::crossed) == 0);
-  CHECK(misses(is, both, promise::owned) == 0);
-  CHECK(std::popcount(misses(is, both, promise::touched)) == 6);
-  CHECK(misses(is, seen({o111}), promise::owned) == set_of({o000}));
-  CHECK(gaps(is, both) == 0);
-  CHECK(gaps(is, seen({o111})) == 1);
+  CHECK(misses(exact, both, promise::crossed) == 0);
+  CHECK(misses(exact, both, promise::owned) == 0);
+  CHECK(std::popcount(misses(exact, both, promise::touched)) == 6);
+  CHECK(misses(exact, seen({o111}), promise::owned) == set_of({o000}));
+  CHECK(gaps(exact, both) == 0);
+  CHECK(gaps(exact, seen({o111})) == 1);
 }
 
 TEST_CASE("fuzz.properties: the root's far faces own their points", "[unit]") {
   const trial t = eight({1, 0.25, 0.25}, {0, 1, 0});
-  CHECK(truth_of(t).owned == set_of({o100, voxel_at(1, 1, 0)}));
+  CHECK(truth_of(t).owned == set_of({o100, octant_at(1, 1, 0)}));
   trial inner = t; // the same plane is not the root's face one level of the grid further in
   inner.root = {{0, 0, 0}, 2};
   inner.level = 2;
   CHECK(truth_of(inner).owned == 0);
-  CHECK(truth_of(inner).touched == set_of({o100, voxel_at(1, 1, 0)}));
+  CHECK(truth_of(inner).touched == set_of({o100, octant_at(1, 1, 0)}));
 }
 
 TEST_CASE("fuzz.properties: a length in the block's hull belongs to others too, and is no gap",
@@ -77,20 +78,20 @@ TEST_CASE("fuzz.properties: a length in the block's hull belongs to others too, 
 }
 
 TEST_CASE("fuzz.properties: one visited neighbour covers a length in their common face", "[unit]") {
-  const truth is = truth_of(eight({0.5, 0, 0.25}, {0, 1, 0}));
-  CHECK(is.crossed == 0);
-  CHECK(gaps(is, seen({})) == 2);
-  CHECK(gaps(is, seen({o000})) == 1);
-  CHECK(gaps(is, seen({o100, o010})) == 0);
+  const truth exact = truth_of(eight({0.5, 0, 0.25}, {0, 1, 0}));
+  CHECK(exact.crossed == 0);
+  CHECK(gaps(exact, seen({})) == 2);
+  CHECK(gaps(exact, seen({o000})) == 1);
+  CHECK(gaps(exact, seen({o100, o010})) == 0);
 }
 
 TEST_CASE("fuzz.properties: order counts owners only", "[unit]") {
-  const truth is = truth_of(eight({0.25, 0, 0.5}, {0, 1, 0})); // in the mid-plane z = 1/2
-  CHECK(is.owned == set_of({o001, o011}));
-  CHECK_FALSE(out_of_order(is, seen({o001, o011})));
-  CHECK_FALSE(out_of_order(is, seen({o010, o001, o000, o011})));
-  CHECK(out_of_order(is, seen({o011, o001})));
-  CHECK_FALSE(out_of_order(is, seen({o011})));
+  const truth exact = truth_of(eight({0.25, 0, 0.5}, {0, 1, 0})); // in the mid-plane z = 1/2
+  CHECK(exact.owned == set_of({o001, o011}));
+  CHECK_FALSE(out_of_order(exact, seen({o001, o011})));
+  CHECK_FALSE(out_of_order(exact, seen({o010, o001, o000, o011})));
+  CHECK(out_of_order(exact, seen({o011, o001})));
+  CHECK_FALSE(out_of_order(exact, seen({o011})));
 }
 
 TEST_CASE("fuzz.properties: spurious near the ray is rounding, far from it is not", "[unit]") {
@@ -111,16 +112,16 @@ TEST_CASE("fuzz.properties: what is gross is what rationals say", "[property]") 
         for (const double d : t.direction)
           square += mpq_class(d) * mpq_class(d);
         const mpq_class least = mpq_class(t.size()) / 1000;
-        const voxel_set said = gross(t, t.all());
-        for (voxel_set left = t.all(); left != 0; left &= left - 1) {
-          const auto v = static_cast<voxel>(std::countr_zero(left));
+        const octant_set judged = gross(t, t.all());
+        for (octant_set left = t.all(); left != 0; left &= left - 1) {
+          const auto v = static_cast<octant_number>(std::countr_zero(left));
           const cube box = t.octant(v);
           const auto in = graze::oracle::rational::range_in(t.origin, t.direction, box.lo,
                                                             {box.hi(0), box.hi(1), box.hi(2)});
           const mpq_class span = in ? in->second - in->first : mpq_class(0);
-          const bool is = span * span * square > least * least;
-          wrong += is != ((said >> v & 1) != 0);
-          ++(is ? gross_ones : others);
+          const bool is_gross = span * span * square > least * least;
+          wrong += is_gross != ((judged >> v & 1) != 0);
+          ++(is_gross ? gross_ones : others);
         }
       }
   CHECK(wrong == 0);
@@ -132,8 +133,8 @@ TEST_CASE("fuzz.properties: a miss is gross where the chord is over 1e-3 of the 
   // in the octant of [1/2,1]^3 from (1 - c, 1/2) on: a chord of sqrt(2) c, in an edge of 1/2
   const auto found = [](double c, const vec3& scale) {
     const trial t = eight({1 - c, 0.5, 0.75}, {scale[0], scale[1], 0});
-    const truth is = truth_of(t);
-    CHECK(is.crossed == set_of({o111}));
+    const truth exact = truth_of(t);
+    CHECK(exact.crossed == set_of({o111}));
     return judge(t, is, seen({}), promise::crossed).findings;
   };
   constexpr double limit = 1e-3 * 0.5 / 1.4142135623730951;
@@ -149,15 +150,15 @@ TEST_CASE("fuzz.properties: a miss is gross where the chord is over 1e-3 of the 
 
 TEST_CASE("fuzz.properties: a repeated octant and one from outside are noticed", "[unit]") {
   const trial t = eight({0, 0, 0}, {1, 1, 1});
-  visited said = seen({o000, o111, o000});
-  CHECK(said.repeated());
-  CHECK(judge(t, truth_of(t), said, promise::owned).findings == bit(finding::revisit));
-  said = seen({o000, o111});
-  said.push_outside();
-  CHECK(judge(t, truth_of(t), said, promise::owned).findings == bit(finding::outside));
-  said.clear();
-  CHECK_FALSE(said.outside());
-  CHECK(said.size() == 0);
+  visited answer = seen({o000, o111, o000});
+  CHECK(answer.repeated());
+  CHECK(judge(t, truth_of(t), answer, promise::owned).findings == bit(finding::revisit));
+  answer = seen({o000, o111});
+  answer.push_outside();
+  CHECK(judge(t, truth_of(t), answer, promise::owned).findings == bit(finding::outside));
+  answer.clear();
+  CHECK_FALSE(answer.outside());
+  CHECK(answer.size() == 0);
 }
 
 namespace {
@@ -175,11 +176,11 @@ trial turned(const trial& t) {
   }
   return r;
 }
-voxel turned(voxel v) { return voxel_at(v >> 4, v & 3u, v >> 2 & 3u); }
-voxel_set turned(voxel_set s) {
-  voxel_set r = 0;
+octant_number turned(octant_number v) { return octant_at(v >> 4, v & 3u, v >> 2 & 3u); }
+octant_set turned(octant_set s) {
+  octant_set r = 0;
   for (; s != 0; s &= s - 1)
-    r |= voxel_set{1} << turned(static_cast<voxel>(std::countr_zero(s)));
+    r |= octant_set{1} << turned(static_cast<octant_number>(std::countr_zero(s)));
   return r;
 }
 
@@ -190,31 +191,31 @@ TEST_CASE("fuzz.properties: the truth does not depend on the names of the axes",
   for (const generator& g : generators())
     for (std::uint64_t k = 0; k < 300; ++k) {
       const trial t = make_trial(g, 61, k, std::array{1, 2, 10, 50}[k % 4]);
-      const truth is = truth_of(t), same = truth_of(turned(t));
+      const truth exact = truth_of(t), same = truth_of(turned(t));
       INFO(g.name << " " << k);
-      REQUIRE(same.touched == turned(is.touched));
-      REQUIRE(same.owned == turned(is.owned));
-      REQUIRE(same.crossed == turned(is.crossed));
-      REQUIRE(same.owners == is.owners);
-      for (unsigned i = 0; i < is.owners; ++i)
-        REQUIRE(same.owner_order[i] == turned(is.owner_order[i]));
-      REQUIRE(same.length_count == is.length_count);
-      for (unsigned i = 0; i < is.length_count; ++i)
-        REQUIRE(same.lengths[i] == turned(is.lengths[i]));
-      lengths += is.length_count;
-      owners += is.owners;
+      REQUIRE(same.touched == turned(exact.touched));
+      REQUIRE(same.owned == turned(exact.owned));
+      REQUIRE(same.crossed == turned(exact.crossed));
+      REQUIRE(same.owners == exact.owners);
+      for (unsigned i = 0; i < exact.owners; ++i)
+        REQUIRE(same.owner_order[i] == turned(exact.owner_order[i]));
+      REQUIRE(same.length_count == exact.length_count);
+      for (unsigned i = 0; i < exact.length_count; ++i)
+        REQUIRE(same.lengths[i] == turned(exact.lengths[i]));
+      lengths += exact.length_count;
+      owners += exact.owners;
     }
   CHECK(lengths > 1000);
   CHECK(owners > 1000);
 }
 
 TEST_CASE("fuzz.properties: each kind of finding is found, by itself", "[unit]") {
-  const auto found = [](const trial& t, std::initializer_list<voxel> answer, promise p) {
+  const auto found = [](const trial& t, std::initializer_list<octant_number> answer, promise p) {
     return judge(t, truth_of(t), seen(answer), p).findings;
   };
   // along the edge x = y = 1/2: it touches all eight, owns two of them, crosses none
   const trial edge = eight({0.5, 0.5, 0}, {0, 0, 1});
-  const voxel o110 = voxel_at(1, 1, 0), o101 = voxel_at(1, 0, 1);
+  const octant_number o110 = octant_at(1, 1, 0), o101 = octant_at(1, 0, 1);
   CHECK(found(edge, {o110, o111}, promise::owned) == 0u);
   CHECK(found(edge, {}, promise::crossed) == bit(finding::gap));
   CHECK(found(edge, {o000, o111}, promise::crossed) == 0u);

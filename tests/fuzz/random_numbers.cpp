@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/random.hpp>
+#include <generate/random.hpp>
 #include <limits>
+#include <trial/number.hpp>
 
 using namespace graze::fuzz;
 

@@ -1,9 +1,10 @@
 /// The same predicates under RapidCheck: every generator, every level, shrunk and printed in hex.
 /// A failure prints the string for RC_PARAMS that reproduces it.
 #include <catch2/catch.hpp>
-#include <graze/fuzz/codec.hpp>
-#include <graze/fuzz/rapidcheck.hpp>
+#include <shrink/rapidcheck.hpp>
 #include <sstream>
+#include <traversal/list.hpp>
+#include <trial/codec.hpp>
 
 using namespace graze::fuzz;
 
@@ -46,10 +47,10 @@ TEST_CASE("fuzz.rapidcheck: sound keeps its promise on every generator and level
 
 TEST_CASE("fuzz.rapidcheck: what owns is touched, what is crossed is owned", "[property]") {
   holds("crossed, owned, touched", 20'000, [] {
-    const truth is = truth_of(*any_trial());
-    RC_ASSERT((is.crossed & ~is.owned) == 0u);
-    RC_ASSERT((is.owned & ~is.touched) == 0u);
-    RC_ASSERT(std::popcount(is.owned) == static_cast<int>(is.owners));
+    const truth exact = truth_of(*any_trial());
+    RC_ASSERT((exact.crossed & ~exact.owned) == 0u);
+    RC_ASSERT((exact.owned & ~exact.touched) == 0u);
+    RC_ASSERT(std::popcount(exact.owned) == static_cast<int>(exact.owners));
   });
 }
 

@@ -1,6 +1,7 @@
 /// Every case on record stays a test: the oracle says touched, sound visits, the baseline misses.
 #include <catch2/catch.hpp>
-#include <graze/fuzz/replay.hpp>
+#include <judge/replay.hpp>
+#include <traversal/list.hpp>
 #include <xmmintrin.h>
 
 using namespace graze::fuzz;
@@ -59,26 +60,26 @@ TEST_CASE("regression: flushed subnormals miss the unit cube", "[regression]") {
   const unsigned found = _mm_getcsr();
   _mm_setcsr(found | 0x8040); // FTZ and DAZ, as a caller's -ffast-math would leave them
   const auto sound = find_traversal("sound")->make();
-  visited said;
-  sound->visit(t, said); // its scope does not flush
+  visited answer;
+  sound->visit(t, answer); // its scope does not flush
   const unsigned left = _mm_getcsr();
   _mm_setcsr(found);
   CHECK(left == (found | 0x8040));
-  CHECK(said.set() == 1);
+  CHECK(answer.set() == 1);
 }
 
 TEST_CASE("regression: in a mid-plane owned is front to back, closed is not", "[regression]") {
   const trial t = recorded(7);
-  const truth is = truth_of(t);
-  REQUIRE(is.owners == 2);
-  CHECK(is.owner_order[0] == voxel_at(0, 0, 1)); // child 4
-  CHECK(is.owner_order[1] == voxel_at(0, 1, 1)); // child 6
+  const truth exact = truth_of(t);
+  REQUIRE(exact.owners == 2);
+  CHECK(exact.owner_order[0] == octant_at(0, 0, 1)); // child 4
+  CHECK(exact.owner_order[1] == octant_at(0, 1, 1)); // child 6
   visited owned, closed;
   find_traversal("sound")->make()->visit(t, owned);
   find_traversal("sound-closed")->make()->visit(t, closed);
-  CHECK_FALSE(out_of_order(is, owned));
-  CHECK(misses(is, owned, promise::owned) == 0);
-  CHECK(misses(is, closed, promise::touched) == 0);
+  CHECK_FALSE(out_of_order(exact, owned));
+  CHECK(misses(exact, owned, promise::owned) == 0);
+  CHECK(misses(exact, closed, promise::touched) == 0);
   // closed also reports the children below the plane, and child 2 (of them) before child 4
   CHECK(closed.size() == 4);
   CHECK(owned.size() == 2);

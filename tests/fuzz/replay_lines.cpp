@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/replay.hpp>
+#include <generate/generators.hpp>
+#include <judge/replay.hpp>
+#include <traversal/list.hpp>
 
 using namespace graze::fuzz;
 

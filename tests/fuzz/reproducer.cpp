@@ -4,11 +4,12 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <cstdio>
 #include <functional>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/reproducer.hpp>
-#include <graze/fuzz/shrink.hpp>
 #include <optional>
+#include <report/reproducer/reproducer.hpp>
 #include <set>
+#include <shrink/small_witness.hpp>
+#include <traversal/list.hpp>
+#include <trial/number.hpp>
 
 using namespace graze::fuzz;
 using support::content, support::scratch;
@@ -154,7 +155,7 @@ TEST_CASE("fuzz.reproducer: a finding on the ray that was received is told about
     }
   } under_test;
   std::string all;
-  unsigned told = 0;
+  unsigned counted = 0;
   for (const auto& [t, kind] : findings_of(under_test, 10, 20)) {
     const reproduction r = reproduction_of(t, under_test, kind);
     if (r.answered == t || (r.judged.touches >> r.subject & 1) == 0)
@@ -162,9 +163,9 @@ TEST_CASE("fuzz.reproducer: a finding on the ray that was received is told about
     CHECK(reproducer_json(r).find(hex(t.origin[0])) != std::string::npos);
     CHECK(reproducer_text(r).find("given ") != std::string::npos);
     all += reproducer_snippet(r); // its claim is about r.answered
-    ++told;
+    ++counted;
   }
-  CHECK(told > 10);
+  CHECK(counted > 10);
   if (!compiler_is_there())
     return;
   const scratch dir;

@@ -1,12 +1,13 @@
 /// Trials as bytes, their mutations, the margin, and the climb towards the smallest one.
 #include "campaign_of.hpp"
+#include <generate/margin.hpp>
+#include <generate/mutate.hpp>
 #include <gmpxx.h>
-#include <graze/fuzz/codec.hpp>
-#include <graze/fuzz/margin.hpp>
-#include <graze/fuzz/mutate.hpp>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/replay.hpp>
+#include <judge/replay.hpp>
 #include <limits>
+#include <traversal/list.hpp>
+#include <trial/codec.hpp>
+#include <trial/number.hpp>
 
 using namespace graze::fuzz;
 
@@ -29,8 +30,8 @@ bool same_bits(const trial& a, const trial& b) { return encode(a) == encode(b) &
 mpq_class margin_in_rationals(const trial& t, unsigned a, unsigned i, unsigned b, unsigned j) {
   const auto ulp = [](const mpq_class& x) {
     const mpq_class least = mpq_class(1) / (mpz_class(1) << 1074);
-    const mpq_class of = abs(x) / (mpz_class(1) << 52);
-    return of < least ? least : of;
+    const mpq_class ulp = abs(x) / (mpz_class(1) << 52);
+    return ulp < least ? least : ulp;
   };
   const auto larger = [](const mpq_class& x, const mpq_class& y) {
     return abs(x) < abs(y) ? mpq_class(abs(y)) : mpq_class(abs(x));
@@ -154,12 +155,12 @@ TEST_CASE("fuzz.margin: 0 on an edge and a vertex, about an ulp beside them", "[
 
 TEST_CASE("fuzz.margin: what it tells is the definition's value for an edge of the block",
           "[property]") {
-  unsigned told = 0;
+  unsigned counted = 0;
   on_trials([&](const trial& t) {
     const double m = margin(t);
     if (!std::isfinite(m))
       return;
-    ++told;
+    ++counted;
     mpq_class nearest = -1; // the edge whose value is nearest to what was told
     for (unsigned c = 0; c < 3; ++c) {
       const unsigned a = (c + 1) % 3, b = (c + 2) % 3;
@@ -176,23 +177,23 @@ TEST_CASE("fuzz.margin: what it tells is the definition's value for an edge of t
     REQUIRE(nearest >= 0);
     REQUIRE(nearest <= mpq_class(0x1p-8 + m * 0x1p-40));
   });
-  CHECK(told > 1000);
+  CHECK(counted > 1000);
 }
 
 TEST_CASE("fuzz.climb: goes down, and does not depend on where it is joined", "[property]") {
   campaign_plan plan = plan_of("sound", 10, 0, "random");
-  plan.by = search::climb;
+  plan.method = search::climb;
   unsigned arrived = 0;
   for (std::uint64_t number = 0; number < 20; ++number) {
     climber climb(make_trial(*plan.generators[0], plan.seed, number, 10), plan.seed, number);
     double height = margin(climb.at());
     for (unsigned k = 1; k < climb_length; ++k) {
-      const trial told = climb.next();
-      REQUIRE(refusal(told).empty());
+      const trial next = climb.next();
+      REQUIRE(refusal(next).empty());
       REQUIRE(margin(climb.at()) <= std::max(height, 0x1p-4));
       height = margin(climb.at());
       if (k % 50 == 0)
-        REQUIRE(same_bits(trial_of(plan, number * climb_length + k), told));
+        REQUIRE(same_bits(trial_of(plan, number * climb_length + k), next));
     }
     arrived += height <= 1 ? 1 : 0;
   }
@@ -201,13 +202,13 @@ TEST_CASE("fuzz.climb: goes down, and does not depend on where it is joined", "[
 
 TEST_CASE("fuzz.climb: counts and findings do not depend on the number of threads", "[property]") {
   campaign_plan plan = plan_of("published", 10, 10'000, "random");
-  plan.by = search::climb;
-  plan.threads = 1;
-  const campaign_result one = run(plan);
-  plan.threads = 3;
-  const campaign_result many = run(plan);
-  CHECK(many.first == one.first);
-  CHECK(many.total == one.total);
+  plan.method = search::climb;
+  plan.workers = 1;
+  const campaign_result single = run(plan);
+  plan.workers = 3;
+  const campaign_result several = run(plan);
+  CHECK(several.first == single.first);
+  CHECK(several.total == single.total);
 }
 
 TEST_CASE("fuzz.climb: finds from random rays what random rays do not find", "[property]") {
@@ -216,7 +217,7 @@ TEST_CASE("fuzz.climb: finds from random rays what random rays do not find", "[p
       campaign_plan plan = plan_of(name, level, 20'000, "random");
       INFO(name << " at level " << level);
       CHECK(run(plan).total.findings == 0);
-      plan.by = search::climb;
+      plan.method = search::climb;
       CHECK(run(plan).total.findings > 0);
     }
 }
@@ -225,7 +226,7 @@ TEST_CASE("fuzz.climb: finds nothing in what is sound", "[property]") {
   for (const char* name : {"sound", "sound-closed", "sound-split", "exact", "exact-closed"}) {
     campaign_plan plan = plan_of(name, 1, 40'000);
     plan.last_level = 53;
-    plan.by = search::climb;
+    plan.method = search::climb;
     const campaign_result result = run(plan);
     INFO(name);
     CHECK(result.total.rays == 40'000);

@@ -5,18 +5,18 @@
 #include <cmath>
 #include <csignal>
 #include <graze/decorated_functions.hpp>
-#include <graze/fuzz/self/batches.hpp>
-#include <graze/fuzz/self/campaign.hpp>
-#include <graze/fuzz/self/formula.hpp>
-#include <graze/fuzz/self/interval_operations.hpp>
-#include <graze/fuzz/self/loaders.hpp>
-#include <graze/fuzz/self/voxelizer.hpp>
 #include <limits>
+#include <self/batches.hpp>
+#include <self/campaign.hpp>
+#include <self/formula.hpp>
+#include <self/interval_operations.hpp>
+#include <self/loaders.hpp>
+#include <self/voxelizer.hpp>
 #include <unistd.h>
 #if defined(__x86_64__)
-#include <graze/fuzz/self/control_words.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/upward.hpp>
+#include <self/control_words.hpp>
 #endif
 
 using namespace graze;
@@ -29,8 +29,7 @@ const std::atomic<bool> never{false};
 
 result campaign(const subject& s, std::uint64_t trials, unsigned processes = 2,
                 std::uint64_t first = 0) {
-  const plan p{
-      .under_test = &s, .seed = 1, .first = first, .trials = trials, .processes = processes};
+  const plan p{{.seed = 1, .first = first, .trials = trials, .workers = processes}, &s};
   const auto r = run(p, never);
   REQUIRE(r);
   INFO(to_text(p, *r));
@@ -80,7 +79,7 @@ bounds one_ulp_outward(const interval_operands&, const bounds& x) {
   return {x.lo, std::nextafter(x.hi, infinity)};
 }
 
-subject of(part p) { return {"one", "", {std::move(p)}}; }
+subject subject_of(part p) { return {"one", "", {std::move(p)}}; }
 
 } // namespace
 
@@ -122,7 +121,7 @@ TEST_CASE("fuzz.self: a broken operation of intervals is reported", "[unit]") {
   // the first root of a negative number is no member; [-1, 0] has one
   reports(with_change(interval_operations(), "sqrt",
                       [](const interval_operands& o, const bounds& r) {
-                        return o.of[0].hi == 0 ? bounds::empty() : r;
+                        return o.boxes[0].hi == 0 ? bounds::empty() : r;
                       }),
           flaw::wrong_empty);
   reports(with_change(interval_operations(), "upward points",
@@ -159,14 +158,14 @@ TEST_CASE("fuzz.self: a broken operation over arrays is reported", "[unit]") {
       if (r.size() % 8 == 7) // the last lane of an incomplete register
         r.hi[r.size() - 1] = std::nextafter(r.hi[r.size() - 1], -infinity);
     };
-  reports(of(spans_by(batch::path::baseline, list)), flaw::difference);
+  reports(subject_of(spans_by(batch::path::baseline, list)), flaw::difference);
   list = batch_operations();
   for (batch_operation& o : list)
     o.pairs = [](auto, auto, auto, std::span<bounds> r) {
       for (bounds& x : r)
         x = bounds::entire();
     };
-  reports(of(spans_by(batch::path::baseline, list)), flaw::difference);
+  reports(subject_of(spans_by(batch::path::baseline, list)), flaw::difference);
 }
 
 TEST_CASE("fuzz.self: an enclosure of a formula one ulp too narrow is reported", "[unit]") {
@@ -203,27 +202,27 @@ TEST_CASE("fuzz.self: a loader that takes damaged bytes, or reads beyond them, i
           "")));
     return r;
   };
-  reports(of(octree_file_loader("lenient", false, lenient)), flaw::accepted);
+  reports(subject_of(octree_file_loader("lenient", false, lenient)), flaw::accepted);
   const auto beyond = [](std::span<const unsigned char> b) {
     if (b.size() > 200 && *(b.data() + b.size()) == 1) // one too far
       return expected<octree::described_octree>(unexpected{"one"});
     return octree::decode_octree(b);
   };
-  reports(of(octree_file_loader("beyond", false, beyond)), flaw::crash, 40);
+  reports(subject_of(octree_file_loader("beyond", false, beyond)), flaw::crash, 40);
   const auto silent = [](std::span<const unsigned char> b) {
     auto r = octree::decode_octree(b);
     return r ? std::move(r) : expected<octree::described_octree>(unexpected{""});
   };
-  reports(of(octree_file_loader("silent", true, silent)), flaw::no_reason);
+  reports(subject_of(octree_file_loader("silent", true, silent)), flaw::no_reason);
   const auto strict = [](std::string_view) { return expected<fuzz::trial>(unexpected{"no"}); };
-  reports(of(replay_line_loader("strict", strict)), flaw::meaning);
+  reports(subject_of(replay_line_loader("strict", strict)), flaw::meaning);
   const auto changes = [](std::string_view line) {
     auto t = fuzz::from_json_line(line);
     if (t)
       t->origin[1] += 1;
     return t;
   };
-  reports(of(replay_line_loader("changes", changes)), flaw::meaning);
+  reports(subject_of(replay_line_loader("changes", changes)), flaw::meaning);
 }
 
 #if defined(__x86_64__)
@@ -264,11 +263,13 @@ struct wide : rounding::upward {
 
 TEST_CASE("fuzz.self: a scope that does not restore, and bounds that do not hold, are reported",
           "[unit]") {
-  reports(of(backend_words<forgetful>("forgetful", callers_words::any)), flaw::control_word);
-  reports(of(backend_words<usual_at_the_end>("usual", callers_words::any)), flaw::control_word);
-  reports(of(backend_words<without_scope>("none", callers_words::any)), flaw::unsound);
-  reports(of(backend_words<wide>("wide", callers_words::any)), flaw::loose);
-  const result fine = campaign(of(backend_words<usual>("split", callers_words::any)), 500);
+  reports(subject_of(backend_words<forgetful>("forgetful", callers_words::any)),
+          flaw::control_word);
+  reports(subject_of(backend_words<usual_at_the_end>("usual", callers_words::any)),
+          flaw::control_word);
+  reports(subject_of(backend_words<without_scope>("none", callers_words::any)), flaw::unsound);
+  reports(subject_of(backend_words<wide>("wide", callers_words::any)), flaw::loose);
+  const result fine = campaign(subject_of(backend_words<usual>("split", callers_words::any)), 500);
   CHECK(fine.findings.empty());
 }
 #endif
@@ -298,11 +299,11 @@ TEST_CASE("fuzz.self: a crash, an exception and a hang are findings, and the cam
     CHECK(r.findings[1].trial == 303);
     CHECK(r.findings[1].what.find("signal 9") != std::string::npos);
   }
-  const subject endless = of({"endless", [](std::uint64_t, std::uint64_t, observations&) {
-                                while (true)
-                                  pause();
-                              }});
-  const plan p{.under_test = &endless, .trials = 2, .processes = 1, .seconds_a_trial = 0.05};
+  const subject endless = subject_of({"endless", [](std::uint64_t, std::uint64_t, observations&) {
+                                        while (true)
+                                          pause();
+                                      }});
+  const plan p{{.trials = 2}, &endless, 0.05};
   const auto r = run(p, never);
   REQUIRE(r);
   CHECK(r->trials == 2);
@@ -311,25 +312,25 @@ TEST_CASE("fuzz.self: a crash, an exception and a hang are findings, and the cam
 
 TEST_CASE("fuzz.self: the same counts and findings with any number of processes", "[unit]") {
   const subject s = with_change(interval_operations(), "mul", one_ulp_inward);
-  const result one = campaign(s, 3000, 1), three = campaign(s, 3000, 3);
-  CHECK(one.parts[0].flawed == three.parts[0].flawed);
-  REQUIRE(one.findings.size() == three.findings.size());
-  for (std::size_t i = 0; i < one.findings.size(); ++i) {
-    CHECK(one.findings[i].trial == three.findings[i].trial);
-    CHECK(one.findings[i].what == three.findings[i].what);
+  const result single = campaign(s, 3000, 1), several = campaign(s, 3000, 3);
+  CHECK(single.parts[0].flawed == several.parts[0].flawed);
+  REQUIRE(single.findings.size() == several.findings.size());
+  for (std::size_t i = 0; i < single.findings.size(); ++i) {
+    CHECK(single.findings[i].trial == several.findings[i].trial);
+    CHECK(single.findings[i].what == several.findings[i].what);
   }
 }
 
 TEST_CASE("fuzz.self: what was found is kept when a campaign is stopped", "[unit]") {
   const subject s = with_change(interval_operations(), "mul", one_ulp_inward);
   std::atomic<bool> stop{false};
-  const plan p{.under_test = &s, .processes = 2};
+  const plan p{{.workers = 2}, &s};
   const auto r = run(p, stop, [&stop](std::uint64_t trials, double) { stop = trials > 500; });
   REQUIRE(r);
   CHECK(r->interrupted);
   CHECK(r->trials > 500);
   CHECK_FALSE(r->findings.empty());
   const subject nothing{"nothing", "", {}};
-  const plan refused{.under_test = &nothing};
+  const plan refused{{}, &nothing};
   CHECK_FALSE(run(refused, never));
 }

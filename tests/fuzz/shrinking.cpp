@@ -1,5 +1,6 @@
 #include "campaign_of.hpp"
-#include <graze/fuzz/shrink.hpp>
+#include <shrink/shrink.hpp>
+#include <traversal/list.hpp>
 
 using namespace graze::fuzz;
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <graze/fuzz/traversal.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <traversal/list.hpp>
 #include <unistd.h>
 
 using namespace graze::fuzz;
@@ -16,20 +16,21 @@ using nlohmann::json;
 namespace {
 
 trial read_json(const std::string& line) {
-  const json said = json::parse(line);
+  const json request = json::parse(line);
   trial t;
-  t.origin = said["origin"].get<vec3>();
-  t.direction = said["direction"].get<vec3>();
+  t.origin = request["origin"].get<vec3>();
+  t.direction = request["direction"].get<vec3>();
   for (unsigned a = 0; a < 3; ++a) // the hex spelling says the same
-    if (std::strtod(said["hex"]["origin"][a].get<std::string>().c_str(), nullptr) != t.origin[a] ||
-        std::strtod(said["hex"]["direction"][a].get<std::string>().c_str(), nullptr) !=
+    if (std::strtod(request["hex"]["origin"][a].get<std::string>().c_str(), nullptr) !=
+            t.origin[a] ||
+        std::strtod(request["hex"]["direction"][a].get<std::string>().c_str(), nullptr) !=
             t.direction[a])
       std::abort();
-  t.root = {said["root"]["lo"].get<vec3>(), said["root"]["size"].get<double>()};
-  t.level = said["level"].get<int>();
-  t.base = said["base"].get<std::array<std::uint64_t, 3>>();
-  t.extent = said["extent"].get<std::array<std::uint8_t, 3>>();
-  if (said["voxel_size"].get<double>() != t.size())
+  t.root = {request["root"]["lo"].get<vec3>(), request["root"]["size"].get<double>()};
+  t.level = request["level"].get<int>();
+  t.base = request["base"].get<std::array<std::uint64_t, 3>>();
+  t.extent = request["extent"].get<std::array<std::uint8_t, 3>>();
+  if (request["voxel_size"].get<double>() != t.size())
     std::abort();
   return t;
 }
@@ -53,12 +54,12 @@ trial read_plain(const std::string& line) {
   return t;
 }
 
-json answer_to(const trial& t, traversal& by, bool around = false) {
-  visited said;
-  by.visit(t, said);
+json answer_to(const trial& t, traversal& under_test, bool around = false) {
+  visited visits;
+  under_test.visit(t, visits);
   json list = json::array();
-  for (unsigned i = 0; i < said.size(); ++i) {
-    const voxel v = said[i];
+  for (unsigned i = 0; i < visits.size(); ++i) {
+    const octant_number v = visits[i];
     list.push_back({t.base[0] + (v & 3u), t.base[1] + (v >> 2 & 3u), t.base[2] + (v >> 4)});
   }
   if (around && t.level > 2) // what lies around the block is nobody's business

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
-#include <graze/fuzz/block_tree.hpp>
-#include <graze/fuzz/generators.hpp>
+#include <generate/generators.hpp>
+#include <traversal/block_tree.hpp>
 
 using namespace graze::fuzz;
 
@@ -57,13 +57,13 @@ TEST_CASE("fuzz.block_tree: its leaves are the block's octants, each once", "[un
       t.base[a] = random.below(static_cast<unsigned>(count - t.extent[a] + 1));
     }
     const block_tree tree(t);
-    voxel_set leaves = 0;
+    octant_set leaves = 0;
     int visits = 0;
     const auto go = [&](const auto& self, const block_tree::node& n, const cube& cell) -> void {
       if (n.level == t.level) {
-        const voxel v = tree.voxel_of(n);
+        const octant_number v = tree.octant_of(n);
         REQUIRE(t.octant(v) == cell);
-        leaves |= voxel_set{1} << v;
+        leaves |= octant_set{1} << v;
         ++visits;
         return;
       }

@@ -42,7 +42,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 INCLUDES = ("interval/include", "octree/geometry/include", "octree/tree/include",
             "octree/surface/include", "octree/formula/include", "octree/file/include",
-            "fuzz/include", "proofs/oracle/include")
+            "fuzz", "proofs/oracle/include")
 CHOICE = """#pragma once
 /* One fault of many, chosen when the program starts. */
 #ifdef __cplusplus

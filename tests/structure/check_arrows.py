@@ -69,7 +69,7 @@ def used(root, folders):
     """{(from, to): the first place that needs it}"""
     files = tracked(root)
     installed = {f.split("/include/", 1)[1]: f for f in files if "/include/" in f}
-    installed |= {f.removeprefix("fuzz/"): f for f in files if f.startswith(("fuzz/peers/", "fuzz/adapters/"))}
+    installed |= {f.removeprefix("fuzz/"): f for f in files if f.startswith("fuzz/")}
     present, arrows = set(files), {}
 
     def need(source, target, place):

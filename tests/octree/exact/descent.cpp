@@ -1,13 +1,13 @@
 // The exact descent reports what it promises and nothing else.
+#include <campaign/campaign.hpp>
 #include <catch2/catch.hpp>
-#include <graze/fuzz/campaign.hpp>
-#include <graze/fuzz/method_traversal.hpp>
-#include <graze/fuzz/report.hpp>
 #include <graze/octree/exact.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/switching.hpp>
 #include <graze/rounding/upward.hpp>
+#include <report/report.hpp>
+#include <traversal/method_traversal.hpp>
 
 using namespace graze;
 using namespace graze::octree;

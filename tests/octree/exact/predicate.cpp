@@ -2,12 +2,12 @@
 #include "all_modes.hpp"
 #include <catch2/catch.hpp>
 #include <cfloat>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/properties.hpp>
+#include <generate/generators.hpp>
 #include <graze/octree/exact_touch.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <graze/oracle/rational.hpp>
+#include <judge/judge.hpp>
+#include <trial/number.hpp>
 
 using namespace graze;
 using namespace graze::octree;
@@ -17,7 +17,7 @@ using test::in_all_modes;
 namespace {
 
 struct answers {
-  fuzz::voxel_set touched = 0, owned = 0;
+  fuzz::octant_set touched = 0, owned = 0;
 };
 
 /// What the predicate says of every octant of a trial's block. `Predicate` is exact_touch, or what
@@ -28,16 +28,17 @@ template <class Predicate> answers ask(const fuzz::trial& t) {
   const auto collect = [&](auto verdict) {
     return in_all_modes([&] {
       const Predicate predicate(r);
-      fuzz::voxel_set set = 0;
-      for (fuzz::voxel_set left = t.all(); left != 0; left &= left - 1) {
-        const auto v = static_cast<fuzz::voxel>(std::countr_zero(left));
-        set |= fuzz::voxel_set{verdict(predicate, v)} << v;
+      fuzz::octant_set set = 0;
+      for (fuzz::octant_set left = t.all(); left != 0; left &= left - 1) {
+        const auto v = static_cast<fuzz::octant_number>(std::countr_zero(left));
+        set |= fuzz::octant_set{verdict(predicate, v)} << v;
       }
       return set;
     });
   };
-  all.touched = collect([&](const Predicate& p, fuzz::voxel v) { return p.touches(t.octant(v)); });
-  all.owned = collect([&](const Predicate& p, fuzz::voxel v) {
+  all.touched =
+      collect([&](const Predicate& p, fuzz::octant_number v) { return p.touches(t.octant(v)); });
+  all.owned = collect([&](const Predicate& p, fuzz::octant_number v) {
     const unsigned last = t.at_far_face();
     const std::array<unsigned, 3> k{v & 3u, unsigned{v} >> 2 & 3u, unsigned{v} >> 4};
     unsigned closed_far = 0;
@@ -60,7 +61,9 @@ template <class Predicate> tally judge_generators(std::uint64_t rays_each) {
         const fuzz::trial t = fuzz::make_trial(g, 41, k, level);
         const fuzz::truth is = fuzz::truth_of(t);
         const answers answer = ask<Predicate>(t);
-        const auto size = [](fuzz::voxel_set s) { return static_cast<unsigned>(std::popcount(s)); };
+        const auto size = [](fuzz::octant_set s) {
+          return static_cast<unsigned>(std::popcount(s));
+        };
         sum.octants += size(t.all());
         sum.touched += size(is.touched);
         sum.owned += size(is.owned);

@@ -1,13 +1,13 @@
 // Directions of any size: the same half-line as by hand, no octant missed, the bounds as tight.
+#include <campaign/campaign.hpp>
 #include <catch2/catch.hpp>
 #include <cstring>
-#include <graze/fuzz/campaign.hpp>
-#include <graze/fuzz/method_traversal.hpp>
 #include <graze/octree/exact.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <graze/rounding/nearest.hpp>
 #include <graze/rounding/split.hpp>
 #include <graze/rounding/upward.hpp>
+#include <traversal/method_traversal.hpp>
 
 using namespace graze;
 using namespace graze::octree;
@@ -55,10 +55,10 @@ vec3 any_direction(fuzz::random_stream& random) {
   return d;
 }
 
-std::vector<fuzz::voxel> order_of(fuzz::traversal& t, const fuzz::trial& at) {
+std::vector<fuzz::octant_number> order_of(fuzz::traversal& t, const fuzz::trial& at) {
   fuzz::visited answer;
   t.visit(at, answer);
-  std::vector<fuzz::voxel> order;
+  std::vector<fuzz::octant_number> order;
   for (unsigned i = 0; i < answer.size(); ++i)
     order.push_back(answer[i]);
   return order;

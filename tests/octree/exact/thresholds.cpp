@@ -3,12 +3,12 @@
 #include "all_modes.hpp"
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <generate/random.hpp>
 #include <gmpxx.h>
-#include <graze/fuzz/number.hpp>
-#include <graze/fuzz/random.hpp>
 #include <graze/octree/exact_touch.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <graze/rounding/hardware.hpp>
+#include <trial/number.hpp>
 #include <vector>
 
 using namespace graze;

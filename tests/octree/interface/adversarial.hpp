@@ -2,11 +2,11 @@
 /// Rays of the campaign's generators with a block of voxels around what they graze, and what exact
 /// arithmetic says about them.
 #include "../../support/paths.hpp"
+#include <generate/generators.hpp>
 #include <graze/batch.hpp>
-#include <graze/fuzz/block_tree.hpp>
-#include <graze/fuzz/generators.hpp>
-#include <graze/fuzz/properties.hpp>
 #include <graze/octree/voxel_rays.hpp>
+#include <judge/judge.hpp>
+#include <traversal/block_tree.hpp>
 #include <vector>
 
 namespace graze::interface_tests {
@@ -16,17 +16,17 @@ using namespace graze::octree;
 /// A trial of which only some of the block's voxels are occupied, as a set.
 struct sparse_trial {
   fuzz::trial trial;
-  fuzz::voxel_set occupied;
+  fuzz::octant_set occupied;
   ray the_ray;
   root_cube root;
   voxel_set set;
 
   /// The number of a voxel in the block; none for one outside.
-  [[nodiscard]] fuzz::voxel number_of(const voxel& v) const {
+  [[nodiscard]] fuzz::octant_number number_of(const voxel& v) const {
     std::array<unsigned, 3> at{};
     for (int a = 0; a < 3; ++a)
       at[a] = static_cast<unsigned>(v.index(a) - trial.base[a]);
-    return fuzz::voxel_at(at[0], at[1], at[2]);
+    return fuzz::octant_at(at[0], at[1], at[2]);
   }
 };
 
@@ -44,7 +44,7 @@ inline sparse_trial make_sparse(const fuzz::generator& g, std::uint64_t seed, st
   const int level = random.between(1, random.one_in(3) ? 20 : 9);
   const cube box = roots()[random.one_in(4) ? random.below(5) : 0];
   fuzz::trial t = fuzz::make_trial(g, seed, index, level, box);
-  const fuzz::voxel_set occupied = random.one_in(3) ? t.all() & random.bits() : t.all();
+  const fuzz::octant_set occupied = random.one_in(3) ? t.all() & random.bits() : t.all();
   std::vector<std::array<std::uint32_t, 3>> voxels;
   for (unsigned v = 0; v < 64; ++v)
     if ((occupied >> v & 1) != 0)
@@ -74,10 +74,10 @@ inline std::vector<voxel> all_of(const sparse_trial& t, convention c, exactness 
   return found;
 }
 
-inline fuzz::voxel_set numbers(const sparse_trial& t, const std::vector<voxel>& found) {
-  fuzz::voxel_set s = 0;
+inline fuzz::octant_set numbers(const sparse_trial& t, const std::vector<voxel>& found) {
+  fuzz::octant_set s = 0;
   for (const voxel& v : found)
-    s |= fuzz::voxel_set{1} << t.number_of(v);
+    s |= fuzz::octant_set{1} << t.number_of(v);
   return s;
 }
 

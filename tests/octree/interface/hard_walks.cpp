@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <graze/fuzz/traversal.hpp>
 #include <graze/octree/tree_rays.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <set>
+#include <traversal/list.hpp>
 
 using namespace graze;
 using namespace graze::interface_tests;
@@ -225,18 +225,18 @@ TEST_CASE("octree.voxel_rays: roots of subnormal size, exactly", "[regression][h
         on_each_path([&](batch::path p) {
           INFO(batch::name(p) << ", " << g.name << " " << i << ", root of " << box.size);
           for (const convention c : {convention::closed, convention::owned}) {
-            const fuzz::voxel_set wanted = c == convention::owned ? is.owned : is.touched;
-            const fuzz::voxel_set exactly = numbers(s, all_of(s, c, exactness::exact));
+            const fuzz::octant_set wanted = c == convention::owned ? is.owned : is.touched;
+            const fuzz::octant_set exactly = numbers(s, all_of(s, c, exactness::exact));
             REQUIRE(exactly == wanted);
             REQUIRE((wanted & ~numbers(s, all_of(s, c, exactness::conservative))) == 0);
             reported += static_cast<std::uint64_t>(std::popcount(exactly));
           }
         });
         const fuzz::block_tree tree(t);
-        fuzz::voxel_set by_tree = 0;
+        fuzz::octant_set by_tree = 0;
         visit_cells<convention::owned>(tree, root, level, s.the_ray, {},
                                        [&](const cube&, const fuzz::block_tree::node& n) {
-                                         by_tree |= fuzz::voxel_set{1} << tree.voxel_of(n);
+                                         by_tree |= fuzz::octant_set{1} << tree.octant_of(n);
                                          return false;
                                        });
         REQUIRE(by_tree == is.owned);

@@ -96,7 +96,7 @@ TEST_CASE("octree.voxel_rays: a segment is its points with first <= t <= last, e
       for (unsigned k = 0; k < 4; ++k) {
         const convention c = (k & 1) != 0 ? convention::owned : convention::closed;
         const exactness e = (k & 2) != 0 ? exactness::exact : exactness::conservative;
-        fuzz::voxel_set wanted = 0;
+        fuzz::octant_set wanted = 0;
         for (unsigned v = 0; v < 64; ++v) {
           if ((t.occupied >> v & 1) == 0)
             continue;
@@ -104,13 +104,13 @@ TEST_CASE("octree.voxel_rays: a segment is its points with first <= t <= last, e
           for (unsigned a = 0; a < 3; ++a)
             if ((v >> (2 * a) & 3) + 1u == t.trial.extent[a])
               far |= block_far & 1u << a;
-          if (meets(t.the_ray, s, t.trial.octant(static_cast<fuzz::voxel>(v)), c, far))
-            wanted |= fuzz::voxel_set{1} << v;
+          if (meets(t.the_ray, s, t.trial.octant(static_cast<fuzz::octant_number>(v)), c, far))
+            wanted |= fuzz::octant_set{1} << v;
         }
         std::optional<std::vector<voxel>> before;
         on_each_path([&](batch::path) {
           const auto found = all_of(t, c, e, s);
-          const fuzz::voxel_set answer = numbers(t, found);
+          const fuzz::octant_set answer = numbers(t, found);
           INFO(g.name << " " << i << " " << k);
           REQUIRE((wanted & ~answer) == 0);
           if (e == exactness::exact)
@@ -121,17 +121,17 @@ TEST_CASE("octree.voxel_rays: a segment is its points with first <= t <= last, e
           found_all += found.size();
         });
         if (e == exactness::exact) {
-          const fuzz::voxel_set whole = numbers(t, all_of(t, c, e));
+          const fuzz::octant_set whole = numbers(t, all_of(t, c, e));
           cut_off += std::popcount(whole & ~wanted);
           touching += first == last && wanted != 0;
         }
       }
       // the same through a Tree
       const fuzz::block_tree tree(t.trial);
-      fuzz::voxel_set by_tree = 0;
+      fuzz::octant_set by_tree = 0;
       visit_cells<convention::closed>(tree, t.root, t.trial.level, t.the_ray, s,
                                       [&](const cube&, const fuzz::block_tree::node& n) {
-                                        by_tree |= fuzz::voxel_set{1} << tree.voxel_of(n);
+                                        by_tree |= fuzz::octant_set{1} << tree.octant_of(n);
                                         return false;
                                       });
       REQUIRE((by_tree & t.occupied) ==
@@ -192,11 +192,11 @@ TEST_CASE(
         }
       const fuzz::block_tree tree(t.trial);
       const auto by_tree = [&](const ray& r, const ray_segment& segment) {
-        std::vector<fuzz::voxel> cells;
+        std::vector<fuzz::octant_number> cells;
         visit_cells<convention::owned, exactness::conservative>(
             tree, t.root, t.trial.level, r, segment,
             [&](const cube&, const fuzz::block_tree::node& n) {
-              cells.push_back(tree.voxel_of(n));
+              cells.push_back(tree.octant_of(n));
               return false;
             });
         return cells;

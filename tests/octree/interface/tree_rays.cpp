@@ -11,18 +11,18 @@ using namespace graze::interface_tests;
 namespace {
 
 template <convention C, exactness E>
-std::vector<fuzz::voxel> walk(const fuzz::trial& t, const root_cube& root, const ray& r) {
+std::vector<fuzz::octant_number> walk(const fuzz::trial& t, const root_cube& root, const ray& r) {
   const fuzz::block_tree tree(t);
-  std::vector<fuzz::voxel> found;
+  std::vector<fuzz::octant_number> found;
   tree_walk<fuzz::block_tree, C, E> w(tree, root, t.level, r);
   for (const auto& met : w)
-    found.push_back(tree.voxel_of(met.node));
+    found.push_back(tree.octant_of(met.node));
   return found;
 }
-fuzz::voxel_set set_of(const std::vector<fuzz::voxel>& v) {
-  fuzz::voxel_set s = 0;
-  for (const fuzz::voxel x : v)
-    s |= fuzz::voxel_set{1} << x;
+fuzz::octant_set set_of(const std::vector<fuzz::octant_number>& v) {
+  fuzz::octant_set s = 0;
+  for (const fuzz::octant_number x : v)
+    s |= fuzz::octant_set{1} << x;
   return s;
 }
 
@@ -43,8 +43,8 @@ TEST_CASE("octree.tree_rays: exact walks report what the oracle does, at any lev
       REQUIRE((is.touched & ~set_of(walk<closed, exactness::conservative>(t, root, r))) == 0);
       REQUIRE((is.owned & ~set_of(walk<owned, exactness::conservative>(t, root, r))) == 0);
       const auto in_order = walk<owned, exactness::exact>(t, root, r);
-      REQUIRE(in_order ==
-              std::vector<fuzz::voxel>(is.owner_order.begin(), is.owner_order.begin() + is.owners));
+      REQUIRE(in_order == std::vector<fuzz::octant_number>(is.owner_order.begin(),
+                                                           is.owner_order.begin() + is.owners));
       const auto first = first_cell(fuzz::block_tree(t), root, level, r);
       REQUIRE(first.has_value() == (is.owners != 0));
     }

@@ -16,8 +16,8 @@ namespace {
 const auto trials_a_generator = static_cast<std::uint64_t>(test::input_count() / 5);
 
 /// The owners of the occupied octants in the order of t.
-std::vector<fuzz::voxel> owners(const fuzz::truth& is, fuzz::voxel_set occupied) {
-  std::vector<fuzz::voxel> order;
+std::vector<fuzz::octant_number> owners(const fuzz::truth& is, fuzz::octant_set occupied) {
+  std::vector<fuzz::octant_number> order;
   for (unsigned i = 0; i < is.owners; ++i)
     if ((occupied >> is.owner_order[i] & 1) != 0)
       order.push_back(is.owner_order[i]);
@@ -39,9 +39,9 @@ TEST_CASE("octree.voxel_rays: exact mode reports what the oracle does, conservat
           const convention c = (k & 1) != 0 ? convention::owned : convention::closed;
           const exactness e = (k & 2) != 0 ? exactness::exact : exactness::conservative;
           const std::vector<voxel> found = all_of(t, c, e);
-          const fuzz::voxel_set answer = numbers(t, found),
-                                wanted =
-                                    t.occupied & (c == convention::owned ? is.owned : is.touched);
+          const fuzz::octant_set answer = numbers(t, found),
+                                 wanted =
+                                     t.occupied & (c == convention::owned ? is.owned : is.touched);
           reported += found.size();
           misses += std::popcount(wanted & ~answer);
           spurious += found.size() - std::popcount(answer); // twice
@@ -50,7 +50,7 @@ TEST_CASE("octree.voxel_rays: exact mode reports what the oracle does, conservat
           else
             extra += std::popcount(answer & ~wanted);
           if (c == convention::owned) {
-            std::vector<fuzz::voxel> order;
+            std::vector<fuzz::octant_number> order;
             for (const voxel& v : found)
               if ((is.owned >> t.number_of(v) & 1) != 0)
                 order.push_back(t.number_of(v));
@@ -82,12 +82,12 @@ TEST_CASE("octree.voxel_rays: conservative visits are those of the sound method,
     for (std::uint64_t i = 0; i < 500; ++i) {
       const sparse_trial t = make_sparse(g, 5, i);
       const auto of_sound = [&]<convention C>() {
-        fuzz::voxel_set answer = 0;
+        fuzz::octant_set answer = 0;
         const sound<rounding::nearest, C> method(t.the_ray);
         const fuzz::block_tree tree(t.trial);
         descend(method, t.trial.root, t.trial.level, tree,
                 [&](const cube&, const fuzz::block_tree::node& n, const auto&) {
-                  answer |= fuzz::voxel_set{1} << tree.voxel_of(n);
+                  answer |= fuzz::octant_set{1} << tree.octant_of(n);
                   return false;
                 });
         return answer & t.occupied;

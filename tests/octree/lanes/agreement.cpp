@@ -2,7 +2,7 @@
 #include "../../support/paths.hpp"
 #include "../../support/test_inputs.hpp"
 #include "walk_by.hpp"
-#include <graze/fuzz/generators.hpp>
+#include <generate/generators.hpp>
 #include <graze/octree/sound.hpp>
 
 using namespace graze;

@@ -3,7 +3,7 @@
 #include "../../support/paths.hpp"
 #include "inputs.hpp"
 #include "surfaces.hpp"
-#include <graze/fuzz/generators.hpp>
+#include <generate/generators.hpp>
 #include <graze/octree_formula/lane_kernels.hpp>
 
 using namespace graze;

@@ -39,7 +39,7 @@ std::optional<sparse_trial> trial_in(const cube& box, const fuzz::generator& g,
   }
   if (t.direction == vec3{0, 0, 0})
     t.direction[0] = 1;
-  const fuzz::voxel_set occupied = random.one_in(3) ? t.all() & random.bits() : t.all();
+  const fuzz::octant_set occupied = random.one_in(3) ? t.all() & random.bits() : t.all();
   std::vector<std::array<std::uint32_t, 3>> voxels;
   for (unsigned v = 0; v < 64; ++v)
     if ((occupied >> v & 1) != 0)
@@ -53,21 +53,21 @@ std::optional<sparse_trial> trial_in(const cube& box, const fuzz::generator& g,
   return sparse_trial{t, occupied, *r, root, *voxel_set::make(root, voxels)};
 }
 
-template <class Method> std::vector<fuzz::voxel> descent_of(const sparse_trial& t) {
-  std::vector<fuzz::voxel> found;
+template <class Method> std::vector<fuzz::octant_number> descent_of(const sparse_trial& t) {
+  std::vector<fuzz::octant_number> found;
   const Method method(t.the_ray);
   const fuzz::block_tree tree(t.trial);
   descend(method, t.trial.root, t.trial.level, tree,
           [&](const cube&, const fuzz::block_tree::node& n, const auto&) {
-            if ((t.occupied >> tree.voxel_of(n) & 1) != 0)
-              found.push_back(tree.voxel_of(n));
+            if ((t.occupied >> tree.octant_of(n) & 1) != 0)
+              found.push_back(tree.octant_of(n));
             return false;
           });
   return found;
 }
 
-std::vector<fuzz::voxel> walk_of(const sparse_trial& t, convention c, exactness e) {
-  std::vector<fuzz::voxel> found;
+std::vector<fuzz::octant_number> walk_of(const sparse_trial& t, convention c, exactness e) {
+  std::vector<fuzz::octant_number> found;
   for (const voxel& v : all_of(t, c, e))
     found.push_back(t.number_of(v));
   return found;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <graze/support/interrupts.hpp>
 #include <graze/support/output.hpp>
+#include <graze/support/threads.hpp>
 #include <optional>
 #include <string>
 
@@ -34,7 +35,6 @@ CLI::Validator whole_number();
 
 /// One a core, at most as many as may be asked for.
 unsigned default_threads();
-inline constexpr unsigned most_threads = 1024;
 
 template <class... T> void print(fmt::format_string<T...> format, T&&... values) {
   print_text(fmt::format(format, std::forward<T>(values)...));

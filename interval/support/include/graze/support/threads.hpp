@@ -10,6 +10,9 @@
 
 namespace graze::support {
 
+/// At most as many may be asked for.
+inline constexpr unsigned most_threads = 1024;
+
 /// Runs `body` on several threads at the same time.
 class thread_group {
 public:

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <campaign/campaign.hpp>
+#include <graze/rounding/environment.hpp>
+#include <mutex>
+
+namespace graze::fuzz {
+
+namespace {
+
+std::uint64_t size_of(octant_set set) { return static_cast<std::uint64_t>(std::popcount(set)); }
+
+void keep_lower(std::optional<std::uint64_t>& lowest, std::uint64_t ray) {
+  if (!lowest || ray < *lowest)
+    lowest = ray;
+}
+
+constexpr finding_set misses_and_gaps =
+    bit(finding::crossed_miss) | bit(finding::gap) | bit(finding::miss);
+
+constexpr finding_set faults_of_answers = bit(finding::crash) | bit(finding::hang) |
+                                          bit(finding::exception) | bit(finding::not_a_number) |
+                                          bit(finding::malformed);
+
+/// A traversal is asked this many at a time, after fewer: 1, 2, 4 and so on, so that the first
+/// answers of a slow one do not wait for the others.
+constexpr std::size_t most_asked = 64;
+
+} // namespace
+
+void counts::add(const verdict& v) {
+  ++rays;
+  if (v.declined)
+    ++declined;
+  if ((v.findings & faults_of_answers) != 0)
+    ++faults;
+  touched += size_of(v.touched);
+  misses += size_of(v.missed);
+  rays_with_miss += v.missed != 0 ? 1 : 0;
+  crossed_missed += size_of(v.crossed_missed);
+  gross_missed += size_of(v.gross_missed);
+  touched_missed += size_of(v.touched_missed);
+  gaps += v.gaps;
+  visited += size_of(v.visited);
+  spurious += size_of(v.spurious);
+  if ((v.findings & bit(finding::far_spurious)) != 0)
+    ++far_spurious;
+  if (v.order_error)
+    ++order_errors;
+  if ((v.findings & (bit(finding::revisit) | bit(finding::outside))) != 0)
+    ++revisits;
+  if (v.findings != 0)
+    ++findings;
+}
+
+counts& counts::operator+=(const counts& other) {
+  auto sum = std::bit_cast<count_row>(*this);
+  const auto more = std::bit_cast<count_row>(other);
+  std::transform(sum.begin(), sum.end(), more.begin(), sum.begin(), std::plus<>());
+  return *this = std::bit_cast<counts>(sum);
+}
+
+void campaign_result::add(const campaign_result& other) {
+  for (std::size_t g = 0; g < by_generator.size(); ++g) {
+    by_generator[g] += other.by_generator[g];
+    for (unsigned k = 0; k < finding_kinds; ++k)
+      if (other.first[g][k])
+        keep_lower(first[g][k], *other.first[g][k]);
+  }
+  total += other.total;
+  if (other.first_miss_seconds)
+    first_miss_seconds =
+        std::min(first_miss_seconds.value_or(*other.first_miss_seconds), *other.first_miss_seconds);
+}
+
+std::optional<finding> campaign_result::worst_finding() const {
+  for (unsigned k = 0; k < finding_kinds; ++k)
+    for (const auto& of_generator : first)
+      if (of_generator[k])
+        return static_cast<finding>(k);
+  return std::nullopt;
+}
+
+trial trial_of(const campaign_plan& plan, std::uint64_t index) {
+  return trial_source(plan).at(index);
+}
+
+std::size_t generator_of(const campaign_plan& plan, std::uint64_t index) {
+  return (plan.method == search::climb ? index / climb_length : index) % plan.generators.size();
+}
+
+namespace {
+
+trial generated(const campaign_plan& plan, std::uint64_t index) {
+  const std::uint64_t kinds = plan.generators.size();
+  const auto levels = static_cast<std::uint64_t>(std::max(1, plan.last_level - plan.level + 1));
+  const int level = plan.level + static_cast<int>(index / kinds % levels);
+  return make_trial(*plan.generators[index % kinds], plan.seed, index, level);
+}
+
+} // namespace
+
+trial trial_source::at(std::uint64_t index) {
+  if (plan_.method == search::generators)
+    return generated(plan_, index);
+  const std::uint64_t number = index / climb_length;
+  const std::uint64_t start = number * climb_length;
+  if (!climber_ || next_ != index || index == start) {
+    climber_.emplace(generated(plan_, number), plan_.seed, number);
+    next_ = start + 1;
+    if (index == start)
+      return climber_->at();
+    while (next_ < index) {
+      climber_->next();
+      ++next_;
+    }
+  }
+  ++next_;
+  return climber_->next();
+}
+
+campaign_result search_rays(const campaign_plan& plan, schedule& stretches) {
+  const auto under_test = plan.under_test.guarded();
+  trial_source source(plan);
+  campaign_result result(plan.generators.size());
+  std::vector<trial> asked(most_asked);
+  std::vector<visited> answers(most_asked);
+
+  const auto judge_one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
+    const verdict v = judge_answer(t, answer, under_test->promises());
+    const std::size_t g = generator_of(plan, ray);
+    result.by_generator[g].add(v);
+    if (v.findings == 0)
+      return;
+    if (!result.first_miss_seconds && (v.findings & misses_and_gaps) != 0)
+      result.first_miss_seconds = stretches.seconds();
+    for (unsigned k = 0; k < finding_kinds; ++k)
+      if ((v.findings >> k & 1) != 0)
+        keep_lower(result.first[g][k], ray);
+    if (plan.until_finding)
+      stretches.end();
+  };
+
+  std::size_t at_once = 1;
+  while (const auto taken = stretches.take()) {
+    // a traversal in another process may be slow: what is left of a stretch is dropped in time
+    for (std::uint64_t k = taken->begin;
+         k < taken->end && (k == taken->begin || !stretches.has_ended());) {
+      const std::size_t count = std::min<std::uint64_t>(at_once, taken->end - k);
+      at_once = std::min(2 * at_once, most_asked);
+      for (std::size_t i = 0; i < count; ++i)
+        asked[i] = source.at(plan.first + k + i);
+      std::size_t answered = 0;
+      while (answered < count && (answered == 0 || !stretches.has_ended())) {
+        const std::size_t some =
+            under_test->visit_some(std::span(asked).subspan(answered, count - answered),
+                                   std::span(answers).subspan(answered));
+        rounding::set_default_environment(); // whatever a traversal in this process has left
+        for (const std::size_t end = answered + some; answered < end; ++answered)
+          judge_one(plan.first + k + answered, asked[answered], answers[answered]);
+      }
+      k += answered;
+      stretches.count(answered);
+    }
+  }
+  for (const counts& c : result.by_generator)
+    result.total += c;
+  return result;
+}
+
+campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,
+                             const progress_listener& progress) {
+  schedule stretches(plan, 1024, stop);
+  campaign_result result(plan.generators.size());
+  std::mutex adding;
+  run_on_threads(
+      stretches, plan.workers,
+      [&] {
+        const campaign_result part = search_rays(plan, stretches);
+        const std::lock_guard lock(adding);
+        result.add(part);
+      },
+      progress);
+  result.seconds = stretches.seconds();
+  result.interrupted = stop.load();
+  return result;
+}
+
+} // namespace graze::fuzz

@@ -1,0 +1,85 @@
+#pragma once
+/// A campaign: many trials on all threads, counted, until a budget is used up.
+#include <campaign/schedule.hpp>
+#include <judge/judge.hpp>
+#include <optional>
+#include <vector>
+
+namespace graze::fuzz {
+
+/// What a generator's rays showed.
+struct counts {
+  std::uint64_t rays = 0;
+  std::uint64_t touched = 0;        ///< octants that the rays touch
+  std::uint64_t misses = 0;         ///< octants missed by the traversal's own promise
+  std::uint64_t rays_with_miss = 0; ///< rays with such an octant
+  std::uint64_t crossed_missed = 0; ///< crossed octants missed
+  std::uint64_t gross_missed = 0;   ///< those of them with a chord of more than 1e-3 of their edge
+  std::uint64_t touched_missed =
+      0;                  ///< touched octants missed: a convention, not a bug, if only touched
+  std::uint64_t gaps = 0; ///< lengths of rays that no visited octant covers
+  std::uint64_t visited = 0;
+  std::uint64_t spurious =
+      0; ///< visited octants that are not touched (not owned, if exactly owned)
+  std::uint64_t far_spurious = 0; ///< rays with a spurious octant that rounding does not explain
+  std::uint64_t order_errors = 0; ///< rays whose owning octants were visited out of order
+  std::uint64_t revisits = 0;     ///< rays with an octant reported twice, or one not of the block
+  std::uint64_t findings = 0;     ///< rays with a finding of any kind
+  std::uint64_t faults = 0; ///< rays that were not answered: crash, hang, exception, NaN, malformed
+  std::uint64_t declined = 0; ///< rays that the traversal does not take: nothing was judged
+
+  void add(const verdict& v);
+  /// The share of the visits that is spurious.
+  [[nodiscard]] double spurious_rate() const {
+    return visited != 0 ? static_cast<double>(spurious) / static_cast<double>(visited) : 0;
+  }
+  counts& operator+=(const counts& other);
+  friend bool operator==(const counts&, const counts&) = default;
+};
+
+/// The counts as they stand in the struct, so that a new one is nowhere forgotten.
+using count_row = std::array<std::uint64_t, sizeof(counts) / sizeof(std::uint64_t)>;
+
+struct campaign_result {
+  explicit campaign_result(std::size_t generators = 0)
+      : by_generator(generators), first(generators) {}
+
+  std::vector<counts> by_generator; ///< as in the plan
+  counts total;
+  double seconds = 0;
+  std::optional<double> first_miss_seconds; ///< until the first miss or gap
+  /// For each generator and each kind of finding the first ray (lowest number) that showed it.
+  std::vector<std::array<std::optional<std::uint64_t>, finding_kinds>> first;
+  bool interrupted = false;
+
+  /// Adds what another worker's rays of the same plan showed.
+  void add(const campaign_result& other);
+  /// The most serious kind found, if any.
+  [[nodiscard]] std::optional<finding> worst_finding() const;
+};
+
+/// The trial of ray `index` of the plan; within a climb, after all that come before it.
+trial trial_of(const campaign_plan& plan, std::uint64_t index);
+/// The generator, by its place in the plan, that made the ray or the start of its climb.
+std::size_t generator_of(const campaign_plan& plan, std::uint64_t index);
+
+/// The trials of a plan; cheap for one after the other, in a climb too.
+class trial_source {
+public:
+  explicit trial_source(const campaign_plan& plan) : plan_(plan) {}
+  trial at(std::uint64_t index);
+
+private:
+  const campaign_plan& plan_;
+  std::optional<climber> climber_;
+  std::uint64_t next_ = 0; ///< the ray that climber_ makes next
+};
+
+/// One worker's part of a campaign: asks and judges the stretches that it takes.
+campaign_result search_rays(const campaign_plan& plan, schedule& stretches);
+
+/// All of them, on the plan's threads; `stop` ends it early when it becomes true.
+campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,
+                             const progress_listener& progress = {});
+
+} // namespace graze::fuzz

@@ -1,0 +1,65 @@
+#pragma once
+/// What every search asks for, of rays, in a campaign's folder or of our own code: which trials, for how
+/// long, by how many workers.
+#include <external/external.hpp>
+#include <generate/climb.hpp>
+#include <generate/generators.hpp>
+#include <graze/support/status.hpp>
+#include <string>
+#include <vector>
+
+namespace graze::fuzz {
+
+struct trial_plan {
+  std::uint64_t seed = 1;
+  std::uint64_t first = 0;  ///< number of the first trial
+  std::uint64_t trials = 0; ///< 0: no limit
+  double seconds = 0;       ///< 0: no limit
+  unsigned workers = 1;     ///< threads, or processes: 1..1024
+};
+/// Refuses a budget of time that is none, and a number of workers that is outside 1..1024.
+support::status check(const trial_plan& p);
+/// Five seconds where there is no budget.
+void limit(trial_plan& p);
+
+/// How rays are looked for: `generators` are asked for each; `climb` starts at a generator's ray
+/// and goes on towards the smallest margin (generate/climb.hpp).
+enum class search : std::uint8_t { generators, climb };
+std::string_view name_of(search s);
+/// By the names of name_of().
+std::optional<search> search_of(std::string_view name);
+
+/// What rays to make, and whom to ask. Ray k of a campaign is trial k of the seed, by generator k mod
+/// the number of generators; in a climb, step k mod climb_length of climb k / climb_length, which starts
+/// at the trial of that number. So a campaign of a given number of rays counts and finds the same on any
+/// number of threads.
+struct campaign_plan : trial_plan {
+  traversal_entry under_test{};
+  std::vector<const generator*> generators;
+  int level = 50;      ///< 1..53
+  int last_level = 50; ///< rays take the levels from `level` to this one in turn
+  search method = search::generators;
+  bool until_finding = false; ///< ends soon after the first one
+};
+
+/// The same by the names that the command line and a campaign's folder use.
+struct named_plan {
+  std::string traversal = "sound";          ///< its name; a command where there is `external`
+  std::optional<external_options> external; ///< how the command is driven
+  std::vector<std::string> generators;
+  std::string search = "generators"; ///< or "climb"
+  std::string level = "50";          ///< "A" or "A-B", taken in turn
+  std::uint64_t seed = 1;
+  std::uint64_t rays = 0; ///< 0: no limit
+  double seconds = 0;     ///< 0: no limit
+};
+
+/// With "all" replaced by the names of all generators.
+std::vector<std::string> all_named(const std::vector<std::string>& generators);
+
+/// All but the traversal; the reason names what does not exist or is no budget.
+expected<campaign_plan> resolve_rays(const named_plan& named);
+/// The traversal as well. A command is not started: under_test.make is empty.
+expected<campaign_plan> resolve(const named_plan& named);
+
+} // namespace graze::fuzz

@@ -1,0 +1,53 @@
+#include <cli/traversal_options.hpp>
+#include <cmath>
+#include <external/libraries.hpp>
+#include <fmt/format.h>
+
+namespace graze::fuzz {
+
+void add_traversal_options(CLI::App& app, CLI::Option& other, traversal_options& options) {
+  CLI::Option* command =
+      app.add_option("--command", options.external.command,
+                     "Under test is this program, driven over stdin and stdout (docs/adapters.md)")
+          ->excludes(&other);
+  app.add_option("--promise", options.promised,
+                 "What it promises: touched, owned, crossed, exactly-touched, exactly-owned")
+      ->needs(command);
+  app.add_option("--timeout", options.external.seconds_a_ray,
+                 "Seconds of silence after which a ray counts as a hang, if the traversal is in "
+                 "another process")
+      ->capture_default_str();
+  app.add_flag("--plain", options.plain, "Send plain numbers in hex, for scanf, instead of JSON")
+      ->needs(command);
+  app.add_flag("--float", options.external.as_float,
+               "Round rays to float before they are sent, and judge them so")
+      ->needs(command);
+}
+
+expected<external_options> external_of(const traversal_options& options) {
+  external_options external = options.external;
+  if (!std::isfinite(external.seconds_a_ray) || external.seconds_a_ray <= 0 ||
+      external.seconds_a_ray > 1e6)
+    return unexpected{"--timeout is not a number of seconds above 0, to 1e6"};
+  if (!options.promised.empty()) {
+    external.promised = promise_of(options.promised);
+    if (!external.promised)
+      return unexpected{fmt::format("promise \"{}\" is none of touched, owned, crossed, "
+                                    "exactly-touched, exactly-owned",
+                                    options.promised)};
+  }
+  external.format = options.plain ? line_format::plain : line_format::json;
+  return external;
+}
+
+expected<traversal_entry> chosen_traversal(const std::string& name,
+                                           const traversal_options& options, bool show_errors) {
+  auto external = external_of(options);
+  if (!external)
+    return unexpected{external.reason()};
+  external->show_errors = show_errors;
+  return external->command.empty() ? named_traversal(name, *external)
+                                   : external_traversal(*external);
+}
+
+} // namespace graze::fuzz

@@ -1,0 +1,28 @@
+#pragma once
+/// The options of graze-fuzz that choose a traversal.
+#include <CLI/CLI.hpp>
+#include <external/external.hpp>
+
+namespace graze::fuzz {
+
+struct traversal_options {
+  external_options external;
+  std::string promised;
+  bool plain = false;
+};
+
+/// Adds --command and what goes with it; `other` is the option that it excludes.
+void add_traversal_options(CLI::App& app, CLI::Option& other, traversal_options& options);
+
+/// What they ask for, checked; no command is started.
+expected<external_options> external_of(const traversal_options& options);
+
+/// The traversal of these options, or else that of the name; the reason when there is none.
+expected<traversal_entry> chosen_traversal(const std::string& name,
+                                           const traversal_options& options, bool show_errors);
+
+/// What --reproducer does.
+inline constexpr const char* reproducer_option =
+    "Write the shrunk counterexample to this folder: replay line, text, C++ snippet, picture";
+
+} // namespace graze::fuzz

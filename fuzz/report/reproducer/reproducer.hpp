@@ -1,0 +1,56 @@
+#pragma once
+/// What a maintainer is handed for a finding: four small files about one ray and one octant.
+///
+///   NAME.json  the replay line ("graze-fuzz replay NAME.json")
+///   NAME.txt   root, level, ray, octant, what was missed, by how much, judged by what
+///   NAME.cpp   the ray and the box in hex floats; where 128-bit integers hold the products, the
+///              claim as a static_assert, in plain C++ without Graze
+///   NAME.svg   the ray and the octants on the two axes that tell most
+///
+/// NAME is traversal-finding-HASH, the hash being that of the replay line: one case, one name.
+#include <graze/support/status.hpp>
+#include <judge/replay.hpp>
+
+namespace graze::fuzz {
+
+/// A finding with all that is told about it.
+struct reproduction {
+  trial at;       ///< what the traversal was given: the replay line
+  trial answered; ///< the same with the ray that it received: what text, snippet and picture show
+  std::string traversal;
+  std::string options; ///< how graze-fuzz is asked for it: "--traversal NAME"
+  promise promises;
+  finding kind;
+  visited answer;
+  replay_result judged;  ///< by rationals
+  octant_number subject; ///< the octant that the finding is about: the first that was missed, ...
+
+  /// The octant's box.
+  [[nodiscard]] cube octant() const { return answered.octant(subject); }
+};
+
+/// Asks the traversal and the oracles; `kind` is among the findings of `t`, as after shrink().
+/// `options` are what traversal_entry::asked_for() says; empty: the name is enough.
+reproduction reproduction_of(const trial& t, traversal& under_test, finding kind,
+                             const std::string& options = {});
+
+std::string reproducer_name(const reproduction& r);
+std::string reproducer_json(const reproduction& r);
+std::string reproducer_text(const reproduction& r);
+/// A header-like piece of C++17 in a namespace of its own; 128-bit integers are GCC's and Clang's.
+std::string reproducer_snippet(const reproduction& r);
+/// SVG 1.1, 600 px wide.
+std::string reproducer_picture(const reproduction& r);
+
+/// Makes the folder if it is not there; refused if nothing can be written to it.
+support::status prepare_folder(const std::string& folder);
+
+/// Writes the four files, each whole or not at all, NAME.json last. Gives the path without its
+/// ending; refuses when a file cannot be written.
+expected<std::string> write_reproducer(const reproduction& r, const std::string& folder);
+
+/// Shrinks the trial, keeping `kind`, and writes its reproducer.
+expected<std::string> write_reproducer(const trial& found, traversal& under_test, finding kind,
+                                       const std::string& options, const std::string& folder);
+
+} // namespace graze::fuzz

@@ -1,0 +1,112 @@
+#pragma once
+/// What is under test: anything that says which octants of a block a ray visits, in order.
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <trial/trial.hpp>
+
+namespace graze::fuzz {
+
+/// Which octants a traversal promises to report; its misses are judged by this promise.
+/// `touched`: every octant whose closed box the ray meets. `owned`: every octant that owns a point
+/// of the ray, front to back. `crossed`: only those whose open interior the ray meets.
+/// `exactly_touched`, `exactly_owned`: the same octants as the first two, and no others.
+enum class promise { touched, owned, crossed, exactly_touched, exactly_owned };
+
+constexpr bool is_exact(promise p) {
+  return p == promise::exactly_touched || p == promise::exactly_owned;
+}
+/// The owning octants are promised, front to back.
+constexpr bool promises_owned(promise p) {
+  return p == promise::owned || p == promise::exactly_owned;
+}
+
+std::string_view name_of(promise p);
+/// By the names of name_of().
+std::optional<promise> promise_of(std::string_view name);
+
+/// Why there is no answer to judge: the traversal ended, did not end, threw, or answered something
+/// that is not an answer or that holds a NaN.
+enum class fault : std::uint8_t { none, crash, hang, exception, malformed, not_a_number };
+
+/// The ray that a traversal really works on, where it is not the one it was given.
+struct received_ray {
+  vec3 origin, direction;
+};
+
+/// The octants that a traversal reported, in its order; repetitions are kept.
+class visited {
+public:
+  void clear() {
+    count_ = 0;
+    set_ = 0;
+    repeated_ = outside_ = declined_ = false;
+    fault_ = fault::none;
+    received_.reset();
+    thrown_.clear();
+  }
+  void push(octant_number v) {
+    const octant_set bit = octant_set{1} << v;
+    if ((set_ & bit) != 0) {
+      repeated_ = true; // its first place in the order stands
+      return;
+    }
+    set_ |= bit;
+    order_[count_++] = v;
+  }
+  /// An octant that is not of the block was reported.
+  void push_outside() { outside_ = true; }
+  /// There is no answer.
+  void fail(fault f) { fault_ = f; }
+  /// There is no answer but an exception, and `what` it says.
+  void fail_by_exception(std::string what) {
+    fail(fault::exception);
+    thrown_ = std::move(what);
+  }
+  /// The traversal does not take this trial (it cannot represent it): nothing is judged.
+  void decline() { declined_ = true; }
+  /// The answer is for this ray: it is judged on it. One that is not a ray (a direction that became
+  /// zero, a component that became infinite) counts as declined.
+  void receive(const received_ray& r) { received_ = r; }
+
+  [[nodiscard]] octant_set set() const { return set_; }
+  [[nodiscard]] unsigned size() const { return count_; }
+  [[nodiscard]] octant_number operator[](unsigned i) const { return order_[i]; }
+  [[nodiscard]] bool repeated() const { return repeated_; }
+  [[nodiscard]] bool outside() const { return outside_; }
+  [[nodiscard]] fault failed() const { return fault_; }
+  /// What the exception says, where that is the fault: a line of ASCII.
+  [[nodiscard]] const std::string& thrown() const { return thrown_; }
+  [[nodiscard]] bool declined() const { return declined_; }
+  [[nodiscard]] const std::optional<received_ray>& received() const { return received_; }
+
+private:
+  std::array<octant_number, 64> order_;
+  unsigned count_ = 0;
+  octant_set set_ = 0;
+  bool repeated_ = false, outside_ = false, declined_ = false;
+  fault fault_ = fault::none;
+  std::optional<received_ray> received_;
+  std::string thrown_;
+};
+
+/// One traversal under test. visit() may be called from one thread at a time; a campaign makes one
+/// for each thread. Adapters to other people's code implement this interface.
+struct traversal {
+  virtual ~traversal() = default;
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  [[nodiscard]] virtual promise promises() const = 0;
+  /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in
+  /// order. `t` has passed refusal(). What it throws is told as fault::exception by ask().
+  virtual void visit(const trial& t, visited& out) = 0;
+  /// Answers the first n >= 1 of the trials (at least one is given), clearing out[0] to out[n-1]
+  /// first, and returns n. A traversal in another process answers many at once.
+  virtual std::size_t visit_some(std::span<const trial> trials, std::span<visited> out);
+};
+
+/// Clears `out` and asks about one trial. An exception is the trial's fault, whatever was answered
+/// before it.
+void ask(traversal& under_test, const trial& t, visited& out);
+
+} // namespace graze::fuzz

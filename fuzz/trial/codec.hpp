@@ -1,0 +1,29 @@
+#pragma once
+/// Trials as bytes, for drivers that only know bytes (libFuzzer, a corpus of files).
+///
+///   offset  size  what, little endian
+///        0    48  origin x, y, z, direction x, y, z (binary64)
+///       48    32  the root's lowest corner x, y, z, and its size
+///       80    24  base x, y, z
+///      104     1  level
+///      105     1  extent - 1: two bits an axis, x lowest
+#include <optional>
+#include <span>
+#include <trial/trial.hpp>
+#include <vector>
+
+namespace graze::fuzz {
+
+inline constexpr std::size_t encoded_size = 106;
+
+/// decode() gives the trial back, bit for bit.
+std::vector<std::uint8_t> encode(const trial& t);
+
+/// The trial of these bytes; what it holds passes refusal(). Numbers out of range are brought into
+/// it, so that most bytes mean something: an infinity or NaN loses a bit of its exponent, the level
+/// is taken modulo 54, the base modulo 2^level, and the block ends at the root's faces. Nothing for
+/// bytes of another size, and for those that still do not pass (a direction of 0, a root whose
+/// octants are not exact).
+std::optional<trial> decode(std::span<const std::uint8_t> bytes);
+
+} // namespace graze::fuzz

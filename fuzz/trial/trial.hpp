@@ -1,0 +1,90 @@
+#pragma once
+/// A trial: one ray and one small block of occupied octants. What a traversal is asked about.
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <graze/expected.hpp>
+#include <graze/octree/cube.hpp>
+#include <graze/octree/ray.hpp>
+#include <trial/number.hpp>
+
+namespace graze::fuzz {
+
+using octree::cube;
+using octree::vec3;
+
+/// The largest block: 4 x 4 x 4 octants, so that a set of them is 64 bits.
+inline constexpr unsigned max_extent = 4;
+
+/// An octant's number within its block: x + 4 (y + 4 z).
+using octant_number = std::uint8_t;
+/// A set of a block's octants, bit v for octant v.
+using octant_set = std::uint64_t;
+
+constexpr octant_number octant_at(unsigned x, unsigned y, unsigned z) {
+  return static_cast<octant_number>(x + max_extent * (y + max_extent * z));
+}
+
+/// The exact spelling of the three numbers.
+inline std::array<std::string, 3> hex(const vec3& v) { return {hex(v[0]), hex(v[1]), hex(v[2])}; }
+
+/// A ray, a root cube, and the occupied octants of one level: `extent` from index `base` on.
+struct trial {
+  vec3 origin{};
+  vec3 direction{1, 0, 0};
+  cube root{{0, 0, 0}, 1};
+  int level = 1; ///< 0 (the root is the only octant) to octree::max_level
+  std::array<std::uint64_t, 3> base{};
+  std::array<std::uint8_t, 3> extent{1, 1, 1}; ///< octants an axis, 1..max_extent
+
+  [[nodiscard]] double size() const { return scaled(root.size, -level); }
+  /// Plane `index` of the level's grid, 0 <= index <= 2^level; an exact double. Counted from the
+  /// middle, as root_cube::octant does: from the corner it would be rounded on some roots.
+  [[nodiscard]] double grid_plane(int axis, std::uint64_t index) const {
+    if (level == 0)
+      return index == 0 ? root.lo[axis] : root.hi(axis);
+    const auto half = std::int64_t{1} << (level - 1);
+    return root.mid(axis) + static_cast<double>(static_cast<std::int64_t>(index) - half) * size();
+  }
+  /// The k-th plane of the block on an axis, 0 <= k <= extent; an exact double.
+  [[nodiscard]] double plane(int axis, unsigned k) const {
+    return grid_plane(axis, base[axis] + k);
+  }
+  [[nodiscard]] cube octant(octant_number v) const {
+    return {{plane(0, v & 3u), plane(1, v >> 2 & 3u), plane(2, v >> 4)}, size()};
+  }
+  /// Bit a is set where the block ends at the root's far face of axis a.
+  [[nodiscard]] unsigned at_far_face() const {
+    unsigned faces = 0;
+    for (int a = 0; a < 3; ++a)
+      if (base[a] + extent[a] == std::uint64_t{1} << level)
+        faces |= 1u << a;
+    return faces;
+  }
+  /// Bit a is set where the block starts at the root's near face of axis a.
+  [[nodiscard]] unsigned at_near_face() const {
+    return (base[0] == 0 ? 1u : 0u) | (base[1] == 0 ? 2u : 0u) | (base[2] == 0 ? 4u : 0u);
+  }
+  [[nodiscard]] octant_set all() const {
+    octant_set set = 0;
+    for (unsigned z = 0; z < extent[2]; ++z)
+      for (unsigned y = 0; y < extent[1]; ++y)
+        for (unsigned x = 0; x < extent[0]; ++x)
+          set |= octant_set{1} << octant_at(x, y, z);
+    return set;
+  }
+
+  friend bool operator==(const trial&, const trial&) = default;
+};
+
+/// Why a trial cannot be judged (a ray that is not one, a block outside its root, octants that are
+/// not exact doubles); empty when it can.
+std::string refusal(const trial& t);
+
+/// The trial of a single octant given by its corner and size. Refuses an octant that is not one of
+/// the root's octree, and what refusal() refuses.
+expected<trial> trial_of_octant(const vec3& origin, const vec3& direction, const cube& octant,
+                                const cube& root,
+                                const std::array<std::uint8_t, 3>& extent = {1, 1, 1});
+
+} // namespace graze::fuzz
