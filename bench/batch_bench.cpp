@@ -83,9 +83,9 @@ public:
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& r : runs)
       if (r.aggregate_name == "median")
-        of[r.run_name.function_name] = r.GetAdjustedCPUTime() / n;
+        nanoseconds[r.run_name.function_name] = r.GetAdjustedCPUTime() / n;
   }
-  std::map<std::string, double> of;
+  std::map<std::string, double> nanoseconds;
 };
 
 } // namespace
@@ -132,13 +132,13 @@ int main(int argc, char** argv) {
   std::printf("\n");
   for (const char* name :
        {"add", "mul", "div", "sqr", "sqrt", "fma", "polynomial", "mul_of_pairs"}) {
-    const auto base = reporter.of.find(std::string(name) + "/plain");
-    if (base == reporter.of.end())
+    const auto base = reporter.nanoseconds.find(std::string(name) + "/plain");
+    if (base == reporter.nanoseconds.end())
       continue;
     std::printf("%-14s %10.4f", name, base->second);
     for (const batch::path q : batch::paths) {
-      const auto m = reporter.of.find(std::string(name) + "/" + batch::name(q));
-      if (m == reporter.of.end())
+      const auto m = reporter.nanoseconds.find(std::string(name) + "/" + batch::name(q));
+      if (m == reporter.nanoseconds.end())
         std::printf("  %20s", "not on this machine");
       else
         std::printf("  %10.4f (%6.2fx)", m->second, m->second / base->second);

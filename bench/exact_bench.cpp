@@ -54,12 +54,12 @@ template <octree::Method M> void traverse(benchmark::State& state, const fuzz::g
   for (unsigned k = 0; k < rays; ++k)
     trials.push_back(fuzz::make_trial(g, 3, k, level));
   fuzz::method_traversal<M> traversal("", fuzz::promise::owned);
-  fuzz::visited said;
+  fuzz::visited found;
   for ([[maybe_unused]] auto pass : state)
     for (const fuzz::trial& t : trials) {
-      said.clear();
-      traversal.visit(t, said);
-      benchmark::DoNotOptimize(said.set());
+      found.clear();
+      traversal.visit(t, found);
+      benchmark::DoNotOptimize(found.set());
     }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * rays));
 }
@@ -72,9 +72,9 @@ int main(int argc, char** argv) {
   using rounding::upward;
   for (const fuzz::generator& g : fuzz::generators()) {
     const std::string name(g.name);
-    const auto add = [&](const std::string& what,
+    const auto add = [&](const std::string& title,
                          void (*run)(benchmark::State&, const fuzz::generator&)) {
-      benchmark::RegisterBenchmark((what + "/" + name).c_str(),
+      benchmark::RegisterBenchmark((title + "/" + name).c_str(),
                                    [run, &g](benchmark::State& state) { run(state, g); });
     };
     add("touches", decide<convention::closed>);

@@ -71,10 +71,10 @@ const char* worth(double lo, double hi, const truth& t) {
 
 /// In ulps of the true value; where that is 0, as it is.
 double error_of(double answer, const truth& t) {
-  const double one = std::fmax(std::fabs(t.lower), std::fabs(t.upper));
+  const double magnitude = std::fmax(std::fabs(t.lower), std::fabs(t.upper));
   const precise error = abs(precise(answer) - t.value);
-  return static_cast<double>(one > 0 ? error / precise(std::nextafter(one, INFINITY) - one)
-                                     : error);
+  return static_cast<double>(
+      magnitude > 0 ? error / precise(std::nextafter(magnitude, INFINITY) - magnitude) : error);
 }
 
 template <class L, class Expression> void evaluate(const Expression& e, const truth& t) {
@@ -90,8 +90,8 @@ template <class L, class Expression> void evaluate(const Expression& e, const tr
       const typename L::number r = e.template value<L>();
       lo = L::lower(r), hi = L::upper(r);
     }
-    const double one = std::fmax(std::fabs(t.lower), std::fabs(t.upper));
-    const double ulp = std::nextafter(one, INFINITY) - one;
+    const double magnitude = std::fmax(std::fabs(t.lower), std::fabs(t.upper));
+    const double ulp = std::nextafter(magnitude, INFINITY) - magnitude;
     std::printf(", \"lower\": %s, \"upper\": %s, \"verdict\": \"%s\"", hexadecimal(lo).c_str(),
                 hexadecimal(hi).c_str(), worth(lo, hi, t));
     if (std::isfinite((hi - lo) / ulp) && t.value != 0)

@@ -131,7 +131,7 @@ struct form {
 };
 
 template <class F>
-form make_form(const char* name, const options& how, const box& domain,
+form make_form(const char* name, const options& settings, const box& domain,
                const std::vector<ray>& rays) {
   const double start = seconds();
   auto octree = voxelize(F{}, domain, 9);
@@ -142,7 +142,7 @@ form make_form(const char* name, const options& how, const box& domain,
     std::abort();
   r.octants = octree->node_count() + octree->leaf_count();
   const auto kept = std::make_shared<const sparse_octree>(std::move(*octree));
-  const auto made = surface_traversal<F>::make(F{}, domain, *kept, how.resolution);
+  const auto made = surface_traversal<F>::make(F{}, domain, *kept, settings.resolution);
   if (!made)
     std::abort();
   r.run = [t = *made, kept, &rays](std::vector<surface_hit>& hits) {
@@ -160,15 +160,15 @@ template <class F> struct named {
 
 /// The last form is the one in use.
 template <class Surface, class... F>
-void scene(const options& how, const built_in_surface<Surface>& row, named<F>... forms) {
+void scene(const options& settings, const built_in_surface<Surface>& row, named<F>... forms) {
   const char* const name = row.name;
-  if (!how.wants(name))
+  if (!settings.wants(name))
     return;
   const box domain = row.domain();
-  const std::vector<ray> rays = camera_rays(row.scale, how.size);
+  const std::vector<ray> rays = camera_rays(row.scale, settings.size);
   std::vector<form> all;
-  (all.push_back(make_form<F>(forms.name, how, domain, rays)), ...);
-  for (int r = 0; r < how.repetitions; ++r)
+  (all.push_back(make_form<F>(forms.name, settings, domain, rays)), ...);
+  for (int r = 0; r < settings.repetitions; ++r)
     for (form& f : all) {
       if (!f.times.empty() && f.times[0] > 5)
         continue;
@@ -185,7 +185,7 @@ void scene(const options& how, const built_in_surface<Surface>& row, named<F>...
       undecided += h.outcome == verdict::undecided;
     }
     const double t = median(f.times), opened = static_cast<double>(f.counts.cells_opened) / count;
-    if (how.json)
+    if (settings.json)
       std::printf("{\"scene\": \"%s\", \"form\": \"%s\", \"octants\": %zu, \"voxelize_seconds\": "
                   "%.4f, \"opened_per_ray\": %.2f, \"seconds\": %.4f, \"times\": %.3f, \"rays\": "
                   "%zu, \"hits\": %d, \"undecided\": %d}\n",
@@ -210,9 +210,9 @@ int complain(const char* why) {
 int main(int argc, char** argv) {
   if (!graze::rounding::program_may_start("graze-inclusion-bench"))
     return 2;
-  options how;
-  how.repetitions = 3;
-  how.size = 256;
+  options settings;
+  settings.repetitions = 3;
+  settings.size = 256;
   for (int i = 1; i < argc; ++i) {
     const std::string a = argv[i];
     const auto number = [&](int& to, int least, int most) {
@@ -220,21 +220,21 @@ int main(int argc, char** argv) {
       return to >= least && to <= most;
     };
     if (a == "--json")
-      how.json = true;
+      settings.json = true;
     else if (a == "--scene" && i + 1 < argc)
-      how.scene = argv[++i];
-    else if ((a == "--repetitions" && number(how.repetitions, 1, 1000)) ||
-             (a == "--size" && number(how.size, 1, 4096)) ||
-             (a == "--levels" && number(how.resolution, 9, 52)))
+      settings.scene = argv[++i];
+    else if ((a == "--repetitions" && number(settings.repetitions, 1, 1000)) ||
+             (a == "--size" && number(settings.size, 1, 4096)) ||
+             (a == "--levels" && number(settings.resolution, 9, 52)))
       continue;
     else
       return complain(("bad option " + a).c_str());
   }
-  if (!how.json)
+  if (!settings.json)
     std::printf("| scene | form | octants to level 9 | voxelization, s | octants opened a ray | "
                 "rays, s | times the form in use | hits | undecided |\n"
                 "|---|---|---|---|---|---|---|---|---|\n");
-  scene(how, built_in<tanglecube>, //
+  scene(settings, built_in<tanglecube>, //
         named<natural<tanglecube_products>>{"x x x x - 5 x x: natural"},
         named<with_mean_value<tanglecube_products>>{"x x x x - 5 x x: natural, mean value"},
         named<natural<tanglecube_powers>>{"x^4 - 5 x^2: natural"},
@@ -242,29 +242,29 @@ int main(int argc, char** argv) {
         named<natural<tanglecube_factors>>{"x^2 (x^2 - 5): natural"},
         named<with_mean_value<tanglecube>>{"(x^2 - 5/2)^2: natural, mean value"},
         named<tanglecube>{"(x^2 - 5/2)^2: natural"});
-  scene(how, built_in<quartdef>, //
+  scene(settings, built_in<quartdef>, //
         named<natural<quartdef_powers>>{"x^4 - 2 x^2: natural"},
         named<with_mean_value<quartdef_powers>>{"x^4 - 2 x^2: natural, mean value"},
         named<with_mean_value<quartdef>>{"(x^2 - 1)^2: natural, mean value"},
         named<quartdef>{"(x^2 - 1)^2: natural"});
-  scene(how, built_in<holesrot>, //
+  scene(settings, built_in<holesrot>, //
         named<natural<holesrot_products>>{"x x x - x: natural"},
         named<with_mean_value<holesrot_products>>{"x x x - x: natural, mean value"},
         named<natural<holesrot_factors>>{"x (x^2 - 1): natural"},
         named<with_mean_value<holesrot_factors>>{"x (x^2 - 1): natural, mean value"},
         named<with_mean_value<holesrot>>{"monotone pieces, mean value"},
         named<holesrot>{"monotone pieces"});
-  scene(how, built_in<spheres>, //
+  scene(settings, built_in<spheres>, //
         named<natural<spheres_powers>>{"x^2 - 2 a x: natural"},
         named<with_mean_value<spheres_powers>>{"x^2 - 2 a x: natural, mean value"},
         named<with_mean_value<spheres>>{"(x - a)^2: natural, mean value"},
         named<spheres>{"(x - a)^2: natural"});
   scene(
-      how, built_in<asterisk<3, 4>>, //
+      settings, built_in<asterisk<3, 4>>, //
       named<natural<asterisk_sines<3, 4>>>{"sines: natural"},
       named<with_mean_value<asterisk<3, 4>>>{"monotone pieces of polynomials: natural, mean value"},
       named<asterisk<3, 4>>{"monotone pieces of polynomials: natural"});
-  scene(how, built_in<asterisk<9, 18>>, //
+  scene(settings, built_in<asterisk<9, 18>>, //
         named<natural<asterisk_sines<9, 18>>>{"sines: natural"},
         named<with_mean_value<asterisk<9, 18>>>{
             "monotone pieces of polynomials: natural, mean value"},

@@ -36,10 +36,10 @@ public:
     std::printf("\n");
     for (const std::string& o : operations) {
       std::printf("%-15s", o.c_str());
-      const double one = median(o, "double");
+      const double base = median(o, "double");
       for (const std::string& l : libraries)
         if (const double t = median(o, l); t > 0)
-          std::printf("   %8.2f (%6.1f)", t, one > 0 ? t / one : 0);
+          std::printf("   %8.2f (%6.1f)", t, base > 0 ? t / base : 0);
         else
           std::printf(" %19s", "-");
       std::printf("\n");

@@ -40,7 +40,7 @@ public:
     return {&timed, &find(c, "points", [&] { return points_of(timed); }),
             &find(c, "hard", [&] { return hard_operands_of(c.operation, count_); })};
   }
-  const std::vector<graze::bounds>& of(const contender& c, const operand_set& set) {
+  const std::vector<graze::bounds>& tightest_of(const contender& c, const operand_set& set) {
     auto& truth = truths_[{c.operation, set.name, c.of_points}];
     if (truth.empty())
       truth = tightest(c.operation, set, c.of_points);
@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
     if ((!only.empty() && c.operation != only) || !has_judge(c.operation))
       continue;
     for (const operand_set* set : known.sets_of(c))
-      report(c, *set, known.of(c, *set));
+      report(c, *set, known.tightest_of(c, *set));
     std::fflush(stdout);
   }
   return 0;

@@ -105,9 +105,9 @@ def pov_command(scene, image, size):
     return ["povray", str(scene), "+WT1", "-D", "-A", "-V", f"+W{size}", f"+H{size}", "+FP", f"+O{image}"]
 
 
-def pov_seconds(told):
+def pov_seconds(output):
     """CPU-seconds of tracing, of what povray tells; None where it has not traced."""
-    found = re.findall(r"with\s+([0-9.]+)\s+CPU-seconds", told)
+    found = re.findall(r"with\s+([0-9.]+)\s+CPU-seconds", output)
     return float(found[-1]) if found else None
 
 
@@ -141,17 +141,17 @@ def png_mask(file, size):
     bits, stride = zlib.decompress(bits), channels * size
     above, rows = bytearray(stride), []
     for j in range(size):
-        how, row = bits[j * (stride + 1)], bytearray(bits[j * (stride + 1) + 1:(j + 1) * (stride + 1)])
+        filter_type, row = bits[j * (stride + 1)], bytearray(bits[j * (stride + 1) + 1:(j + 1) * (stride + 1)])
         for i in range(stride):
             left, up = row[i - channels] if i >= channels else 0, above[i]
             corner = above[i - channels] if i >= channels else 0
-            if how == 1:
+            if filter_type == 1:
                 row[i] = row[i] + left & 255
-            elif how == 2:
+            elif filter_type == 2:
                 row[i] = row[i] + up & 255
-            elif how == 3:
+            elif filter_type == 3:
                 row[i] = row[i] + (left + up) // 2 & 255
-            elif how == 4:
+            elif filter_type == 4:
                 p = left + up - corner
                 best = min((abs(p - left), 0, left), (abs(p - up), 1, up), (abs(p - corner), 2, corner))[2]
                 row[i] = row[i] + best & 255
@@ -179,17 +179,17 @@ def processor_time(command):
 def graze_run(program, name, options, image, size=SIZE):
     """What the program tells of the picture that it makes; seconds as said above."""
     out, took = processor_time([program, "--scene", name, "--json", "--size", str(size), "-o", str(image), *options])
-    told = json.loads(out)
-    told["processor"] = took
-    told["seconds"] += told["octree_seconds"]
-    return told
+    result = json.loads(out)
+    result["processor"] = took
+    result["seconds"] += result["octree_seconds"]
+    return result
 
 
 def graze_mask(program, name, folder, size=SIZE):
-    told = graze_run(program, name, ["--threads", "1"], folder / "mask.png", size)
+    result = graze_run(program, name, ["--threads", "1"], folder / "mask.png", size)
     mask = png_mask(folder / "mask.png", size)
-    if sum(mask) != told["hits"] or told["undecided"]:
-        sys.exit(f"{name}: the picture's mask has {sum(mask)} hits, not {told['hits']}")
+    if sum(mask) != result["hits"] or result["undecided"]:
+        sys.exit(f"{name}: the picture's mask has {sum(mask)} hits, not {result['hits']}")
     return mask
 
 
@@ -222,8 +222,8 @@ def compare(program, names, modes, quick, folder):
                     for again in range(3):
                         if times[method] and times[method][0] > (1 if again else 5):
                             break
-                        told = graze_run(program, name, options, folder / "graze.png")
-                        times[method].append(min(told["seconds"], told["processor"] - start))
+                        result = graze_run(program, name, options, folder / "graze.png")
+                        times[method].append(min(result["seconds"], result["processor"] - start))
             t = {k: min(v) for k, v in times.items()}
             print(f"| {name} | {'trace' if trace else 'cast'} | {seconds(t['pov'])} | {seconds(t['certified'])} |"
                   f" {t['pov'] / t['certified']:.0f} | {seconds(t['descent'])} | {t['pov'] / t['descent']:.1f} |"
@@ -249,10 +249,10 @@ def threads(program, names, folder):
             wall = {"1": [], "2": []}
             for _ in range(5):
                 for n in wall:
-                    told = graze_run(program, name, ["--threads", n, "--method", method], folder / "graze.png", 2048)
-                    wall[n].append(told["seconds"])
-            one, two = (statistics.median(wall[n]) for n in wall)
-            print(f"| {name} | {method} | {seconds(one)} | {seconds(two)} | {one / two:.2f} |", flush=True)
+                    result = graze_run(program, name, ["--threads", n, "--method", method], folder / "graze.png", 2048)
+                    wall[n].append(result["seconds"])
+            first, second = (statistics.median(wall[n]) for n in wall)
+            print(f"| {name} | {method} | {seconds(first)} | {seconds(second)} | {first / second:.2f} |", flush=True)
 
 
 def main():

@@ -18,17 +18,17 @@ using namespace graze::octree;
 using namespace graze::bench;
 
 /// One line of the result: a scene, an octree's level, NL, and a contender.
-void print(const options& how, const char* scene, const char* what, const char* path, int stored,
-           int levels, double steps, double rays, const spread& t) {
+void print(const options& settings, const char* scene, const char* measured, const char* path,
+           int stored, int levels, double steps, double rays, const spread& t) {
   const double rate = rays / t.middle, milliseconds = 1e3 * t.middle;
-  if (how.json)
+  if (settings.json)
     std::printf("{\"scene\": \"%s\", \"what\": \"%s\", \"path\": \"%s\", \"octree_level\": %d, "
                 "\"levels\": %d, \"steps_per_ray\": %.2f, \"rays\": %.0f, "
                 "\"rays_per_second\": %.0f, \"milliseconds\": %.4f, \"milliseconds_low\": %.4f, "
                 "\"milliseconds_high\": %.4f, \"repetitions\": %d}\n",
-                scene, what, path, stored, levels, steps, rays, rate, milliseconds, 1e3 * t.low,
-                1e3 * t.high, how.repetitions);
-  else if (std::strcmp(what, "voxelize") == 0)
+                scene, measured, path, stored, levels, steps, rays, rate, milliseconds, 1e3 * t.low,
+                1e3 * t.high, settings.repetitions);
+  else if (std::strcmp(measured, "voxelize") == 0)
     std::printf("%-10s voxelize  level %2d         %-8s %8.2f ms\n", scene, stored, path,
                 milliseconds);
   else
@@ -39,7 +39,7 @@ void print(const options& how, const char* scene, const char* what, const char* 
 }
 
 template <class F>
-void first_hits(const options& how, const char* scene, const box& domain,
+void first_hits(const options& settings, const char* scene, const box& domain,
                 const std::vector<ray>& rays, int stored, int levels, bool scalar_too) {
   const auto octree = voxelize_in_lanes(F{}, domain, stored);
   if (!octree)
@@ -65,16 +65,16 @@ void first_hits(const options& how, const char* scene, const box& domain,
                          hits[i] = t.first_hit(rays[i]);
                      },
                      {}});
-  measure(all, how.repetitions);
+  measure(all, settings.repetitions);
   for (const contender& c : all)
-    print(how, scene, "first_hit", c.name.c_str(), stored, levels, steps,
+    print(settings, scene, "first_hit", c.name.c_str(), stored, levels, steps,
           static_cast<double>(rays.size()), spread_of(c.times));
 }
 
-template <class F> void surface(const options& how, const built_in_surface<F>& row) {
+template <class F> void surface(const options& settings, const built_in_surface<F>& row) {
   const char* const scene = row.name;
   const box domain = row.domain();
-  const std::vector<ray> rays = camera_rays(row.scale, how.size);
+  const std::vector<ray> rays = camera_rays(row.scale, settings.size);
   {
     std::vector<contender> all;
     for (const batch::path p : batch::paths)
@@ -91,21 +91,21 @@ template <class F> void surface(const options& how, const built_in_surface<F>& r
                        std::abort();
                    },
                    {}});
-    measure(all, std::max(9, how.repetitions));
+    measure(all, std::max(9, settings.repetitions));
     for (const contender& c : all)
-      print(how, scene, "voxelize", c.name.c_str(), 9, 9, 0, 0, spread_of(c.times));
+      print(settings, scene, "voxelize", c.name.c_str(), 9, 9, 0, 0, spread_of(c.times));
   }
   for (const int levels : {10, 15, 20, 25, 30, 35, 40, 45, 50, 53})
-    first_hits<F>(how, scene, domain, rays, 9, levels, true);
+    first_hits<F>(settings, scene, domain, rays, 9, levels, true);
   for (const int stored : {5, 6, 7, 8, 10, 11})
-    first_hits<F>(how, scene, domain, rays, stored, 30, true);
+    first_hits<F>(settings, scene, domain, rays, stored, 30, true);
 }
 
 /// The octree of the descent is made beforehand; certified hits need none.
-template <class F> void certified(const options& how, const built_in_surface<F>& row) {
+template <class F> void certified(const options& settings, const built_in_surface<F>& row) {
   const char* const scene = row.name;
   const box domain = row.domain();
-  const std::vector<ray> rays = camera_rays(row.scale, how.size);
+  const std::vector<ray> rays = camera_rays(row.scale, settings.size);
   const auto octree = voxelize_in_lanes(F{}, domain, 9);
   if (!octree)
     return;
@@ -126,7 +126,7 @@ template <class F> void certified(const options& how, const built_in_surface<F>&
                    },
                    {}});
   }
-  measure(all, how.repetitions);
+  measure(all, settings.repetitions);
   std::vector<double> ulps;
   int undecided = 0;
   for (const certified_hit& h : hits) {
@@ -138,7 +138,7 @@ template <class F> void certified(const options& how, const built_in_surface<F>&
   for (std::size_t i = 0; i + 1 < all.size(); i += 2) {
     const double slow = median(all[i].times), fast = median(all[i + 1].times);
     const char* const path = all[i + 1].name.c_str();
-    if (how.json)
+    if (settings.json)
       std::printf("{\"scene\": \"%s\", \"what\": \"certified\", \"path\": \"%s\", "
                   "\"descent_seconds\": %.5f, \"certified_seconds\": %.5f, "
                   "\"steps_per_ray\": %.2f, \"hits\": %zu, \"undecided\": %d, "
@@ -182,7 +182,7 @@ int complain(const char* why) {
 int main(int argc, char** argv) {
   if (!graze::rounding::program_may_start("graze-traversal-bench"))
     return 2;
-  options how;
+  options settings;
   const std::string mode = argc < 2 ? "" : argv[1];
   if (mode != "surface" && mode != "certified" && mode != "images" && mode != "table")
     return complain("the mode must be surface, certified, images or table");
@@ -193,37 +193,37 @@ int main(int argc, char** argv) {
       return to >= 1 && to <= most;
     };
     if (a == "--json")
-      how.json = true;
+      settings.json = true;
     else if (a == "--scene" && i + 1 < argc)
-      how.scene = argv[++i];
+      settings.scene = argv[++i];
     else if (a == "--methods" && i + 1 < argc)
-      how.methods = parts_of(argv[++i]);
+      settings.methods = parts_of(argv[++i]);
     else if (a == "--truth" && i + 1 < argc)
-      how.truth = argv[++i];
+      settings.truth = argv[++i];
     else if (a == "--seconds" && i + 1 < argc)
-      how.seconds = std::atof(argv[++i]);
+      settings.seconds = std::atof(argv[++i]);
     else if (a == "--levels" && i + 1 < argc) {
-      how.levels.clear();
+      settings.levels.clear();
       for (const std::string& level : parts_of(argv[++i])) {
-        how.levels.push_back(std::atoi(level.c_str()));
-        if (level.empty() || how.levels.back() < 0 || how.levels.back() > 53)
+        settings.levels.push_back(std::atoi(level.c_str()));
+        if (level.empty() || settings.levels.back() < 0 || settings.levels.back() > 53)
           return complain("a level must be 1 to 53, or 0 for certified hits alone");
       }
-    } else if (a == "--repetitions" && number(how.repetitions, 1000))
+    } else if (a == "--repetitions" && number(settings.repetitions, 1000))
       continue;
-    else if (a == "--size" && number(how.size, 4096))
+    else if (a == "--size" && number(settings.size, 4096))
       continue;
     else
       return complain(("bad option " + a).c_str());
   }
   if (mode == "images")
-    return images(how);
+    return images(settings);
   if (mode == "table")
-    return table(how);
+    return table(settings);
   for_each_built_in([&]<class F>(const built_in_surface<F>& row) {
     if constexpr (is_algebraic<F>()) // others take minutes
-      if (how.wants(row.name))
-        mode == "certified" ? certified(how, row) : surface(how, row);
+      if (settings.wants(row.name))
+        mode == "certified" ? certified(settings, row) : surface(settings, row);
   });
   return 0;
 }

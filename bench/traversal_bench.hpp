@@ -85,7 +85,7 @@ inline void measure(std::vector<contender>& all, int repetitions) {
 }
 
 /// The modes `images` and `table` (traversal_images.cpp).
-int images(const options& how);
-int table(const options& how);
+int images(const options& settings);
+int table(const options& settings);
 
 } // namespace graze::bench

@@ -28,11 +28,11 @@ def table(rows, key, title):
     lines = [f"| {title} | octants opened a ray | " + " | ".join(f"{p}, M rays/s" for p in paths)
              + f" | {paths[0]}, ns an octant |", "|" + "---|" * (len(paths) + 3)]
     for value in sorted({r[key] for r in rows}):
-        here = {r["path"]: r for r in rows if r[key] == value}
-        steps = next(iter(here.values()))["steps_per_ray"]
-        first = here[paths[0]]["rays_per_second"]
+        of_path = {r["path"]: r for r in rows if r[key] == value}
+        steps = next(iter(of_path.values()))["steps_per_ray"]
+        first = of_path[paths[0]]["rays_per_second"]
         lines.append(f"| {value} | {steps:.1f} | "
-                     + " | ".join(f"{here[p]['rays_per_second'] / 1e6:.2f}" for p in paths)
+                     + " | ".join(f"{of_path[p]['rays_per_second'] / 1e6:.2f}" for p in paths)
                      + f" | {1e9 / (first * steps):.1f} |")
     return "\n".join(lines)
 
@@ -90,13 +90,13 @@ def main():
     hits = [r for r in rows if r["what"] == "first_hit"]
     sections = []
     for scene in dict.fromkeys(r["scene"] for r in rows):
-        here = [r for r in hits if r["scene"] == scene]
+        of_scene = [r for r in hits if r["scene"] == scene]
         voxels = {r["path"]: r["milliseconds"] for r in rows
                   if r["scene"] == scene and r["what"] == "voxelize"}
         sections += [f"### {scene}", "Voxelized to level 9 in "
                      + ", ".join(f"{voxels[p]:.1f} ms ({p})" for p in PATHS if p in voxels) + ".",
-                     table([r for r in here if r["octree_level"] == 9], "levels", "NL"),
-                     table([r for r in here if r["levels"] == 30], "octree_level", "octree's level")]
+                     table([r for r in of_scene if r["octree_level"] == 9], "levels", "NL"),
+                     table([r for r in of_scene if r["levels"] == 30], "octree_level", "octree's level")]
     page = DOCS / "first_hits.md"
     before, rest = page.read_text().split("<!-- measured -->\n", 1)
     after = rest.split("<!-- end of measured -->", 1)[1]

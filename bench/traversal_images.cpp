@@ -87,18 +87,19 @@ template <class F> std::vector<root> make_truth(const box& domain, const std::ve
 
 /// Read from the file where it is there and of that many rays; else made, and written to it.
 template <class F>
-std::vector<root> truth_of(const options& how, const box& domain, const std::vector<ray>& rays) {
+std::vector<root> truth_of(const options& settings, const box& domain,
+                           const std::vector<ray>& rays) {
   std::vector<root> truth(rays.size());
   const auto bytes = static_cast<std::streamsize>(rays.size() * sizeof(root));
-  if (!how.truth.empty()) {
-    std::ifstream in(how.truth, std::ios::binary);
+  if (!settings.truth.empty()) {
+    std::ifstream in(settings.truth, std::ios::binary);
     if (in.read(reinterpret_cast<char*>(truth.data()), bytes) && in.peek() == EOF)
       return truth;
   }
   truth = make_truth<F>(domain, rays);
-  if (!how.truth.empty() && !std::ofstream(how.truth, std::ios::binary)
-                                 .write(reinterpret_cast<const char*>(truth.data()), bytes))
-    std::fprintf(stderr, "graze-traversal-bench: %s cannot be written\n", how.truth.c_str());
+  if (!settings.truth.empty() && !std::ofstream(settings.truth, std::ios::binary)
+                                      .write(reinterpret_cast<const char*>(truth.data()), bytes))
+    std::fprintf(stderr, "graze-traversal-bench: %s cannot be written\n", settings.truth.c_str());
   return truth;
 }
 
@@ -130,14 +131,14 @@ void add_scalar(std::vector<method>& all, const char* name, double paper, bool o
 
 /// The methods by descent to a level, in the order of Table 1.
 template <class F>
-void add_descents(std::vector<method>& all, const options& how, const box& domain,
+void add_descents(std::vector<method>& all, const options& settings, const box& domain,
                   const sparse_octree& octree, int levels, const paper_row& paper,
                   const std::vector<ray>& rays) {
   using rounding::nearest, rounding::split, rounding::upward;
   constexpr convention owned = convention::owned;
   const auto scalar = [&]<class M, rounding::Backend B>(const char* name, double then,
                                                         bool of_paper) {
-    if (how.wants_method(name))
+    if (settings.wants_method(name))
       add_scalar<F, M, B>(all, name, then, of_paper, domain, octree, levels, rays);
   };
   scalar.template operator()<gargantini, undirected>("gargantini", paper.gargantini, true);
@@ -146,7 +147,7 @@ void add_descents(std::vector<method>& all, const options& how, const box& domai
   scalar.template operator()<sound<split, owned>, split>("split", paper.with_sse2, true);
   scalar.template operator()<sound<upward, owned>, upward>("upward", 0, false);
   for (const batch::path p : batch::paths) {
-    if (!how.wants_method(batch::name(p)))
+    if (!settings.wants_method(batch::name(p)))
       continue;
     const auto t = lane_traversal<F>::make(F{}, domain, octree, levels, p);
     if (!t)
@@ -160,12 +161,12 @@ void add_descents(std::vector<method>& all, const options& how, const box& domai
 
 /// Certified hits along the ray, on each path. They have no level.
 template <class F>
-void add_certified(std::vector<method>& all, const options& how, const box& domain,
+void add_certified(std::vector<method>& all, const options& settings, const box& domain,
                    const std::vector<ray>& rays) {
   static const std::string names[] = {"certified baseline", "certified avx2", "certified avx512"};
   for (const batch::path p : batch::paths)
     for (const std::string& name : names) {
-      if (name != std::string("certified ") + batch::name(p) || !how.wants_method(name))
+      if (name != std::string("certified ") + batch::name(p) || !settings.wants_method(name))
         continue;
       const auto t = lane_certified_traversal<F>::make(F{}, domain, p);
       if (!t)
@@ -183,18 +184,18 @@ void add_certified(std::vector<method>& all, const options& how, const box& doma
 
 /// All in turn, a repetition at a time. The first run of each warms up what is quick; a method that
 /// has taken how.seconds is not repeated, nor one that takes a quarter of it at its first run.
-void measure(std::vector<method>& all, const options& how) {
+void measure(std::vector<method>& all, const options& settings) {
   std::vector<double> taken(all.size());
-  for (int r = 0; r <= how.repetitions; ++r)
+  for (int r = 0; r <= settings.repetitions; ++r)
     for (std::size_t i = 0; i < all.size(); ++i) {
       method& m = all[i];
-      if (!m.times.empty() && taken[i] > how.seconds)
+      if (!m.times.empty() && taken[i] > settings.seconds)
         continue;
       const double start = seconds();
       m.run();
       const double took = seconds() - start;
       taken[i] += took;
-      if (r > 0 || took > how.seconds / 4)
+      if (r > 0 || took > settings.seconds / 4)
         m.times.push_back(took);
     }
 }
@@ -250,13 +251,13 @@ struct row {
   const char* scene;
   int levels; ///< 0 of certified hits
   double bound;
-  const method* of;
+  const method* measured;
   judgement found;
   int other_octants; ///< rays whose first octant is not that of `exact`; -1 without it
 };
 
-void print_json(const row& r, const options& how) {
-  const method& m = *r.of;
+void print_json(const row& r, const options& settings) {
+  const method& m = *r.measured;
   const judgement& j = r.found;
   std::printf(
       "{\"what\": \"image\", \"scene\": \"%s\", \"size\": %d, \"method\": \"%s\", "
@@ -265,7 +266,7 @@ void print_json(const row& r, const options& how) {
       "\"not_enclosed\": %d, \"compared\": %zu, \"half_diagonal\": %.4e, "
       "\"depth\": [%.4e, %.4e, %.4e], \"beyond\": %d, "
       "\"octant\": [%.4e, %.4e], \"octants_beyond\": %d",
-      r.scene, how.size, m.name, r.levels, median(m.times), quantile(m.times, 0.25),
+      r.scene, settings.size, m.name, r.levels, median(m.times), quantile(m.times, 0.25),
       quantile(m.times, 0.75), m.times.size(), j.hits, j.undecided, j.wrong_hits, j.wrong_misses,
       j.not_enclosed, j.depths.size(), r.bound, median(j.depths), quantile(j.depths, 0.999),
       quantile(j.depths, 1), j.beyond, median(j.distances), quantile(j.distances, 1),
@@ -282,38 +283,40 @@ void print_text(const row& r) {
   const judgement& j = r.found;
   std::printf("| %s | %s | %d | %.4f | %d | %d | %d | %d | %d | %.2e | %.2e | %.2e | %.2e | %d | "
               "%.2e | %.2e | %d |\n",
-              r.scene, r.of->name, r.levels, median(r.of->times), j.hits, j.undecided, j.wrong_hits,
-              j.wrong_misses, j.not_enclosed, r.bound, median(j.depths), quantile(j.depths, 0.999),
-              quantile(j.depths, 1), j.beyond, median(j.distances), quantile(j.distances, 1),
-              j.octants_beyond);
+              r.scene, r.measured->name, r.levels, median(r.measured->times), j.hits, j.undecided,
+              j.wrong_hits, j.wrong_misses, j.not_enclosed, r.bound, median(j.depths),
+              quantile(j.depths, 0.999), quantile(j.depths, 1), j.beyond, median(j.distances),
+              quantile(j.distances, 1), j.octants_beyond);
 }
 
 void print_table(const row& r, std::size_t rays) {
-  const double t = median(r.of->times), count = static_cast<double>(rays);
+  const double t = median(r.measured->times), count = static_cast<double>(rays);
   char then[64] = "- | -";
-  if (r.of->paper > 0)
-    std::snprintf(then, sizeof then, "%.3f | %.0f", r.of->paper, 512 * 512 / r.of->paper);
-  else if (r.of->of_paper)
+  if (r.measured->paper > 0)
+    std::snprintf(then, sizeof then, "%.3f | %.0f", r.measured->paper,
+                  512 * 512 / r.measured->paper);
+  else if (r.measured->of_paper)
     std::snprintf(then, sizeof then, "lost | lost");
-  std::printf("| %s | %s | %.3f | %.0f | %s | %d | %d | %d |\n", r.scene, r.of->name, t, count / t,
-              then, r.found.hits, r.found.undecided, r.other_octants);
+  std::printf("| %s | %s | %.3f | %.0f | %s | %d | %d | %d |\n", r.scene, r.measured->name, t,
+              count / t, then, r.found.hits, r.found.undecided, r.other_octants);
 }
 
 /// One row for each method at each level; `as_table` without a judgement.
 template <class F>
-void scene(const options& how, bool as_table, const built_in_surface<F>& surface) {
+void scene(const options& settings, bool as_table, const built_in_surface<F>& surface) {
   const char* const name = surface.name;
   const paper_row paper = paper_times(name);
   const box domain = surface.domain();
-  const std::vector<ray> rays = camera_rays(surface.scale, how.size);
+  const std::vector<ray> rays = camera_rays(surface.scale, settings.size);
   double start = seconds();
   const auto octree = voxelize_in_lanes(F{}, domain, 9);
   const double voxelized = seconds() - start;
   if (!octree)
     std::abort();
   start = seconds();
-  const std::vector<root> truth = as_table ? std::vector<root>{} : truth_of<F>(how, domain, rays);
-  if (how.json) {
+  const std::vector<root> truth =
+      as_table ? std::vector<root>{} : truth_of<F>(settings, domain, rays);
+  if (settings.json) {
     double widest = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
       const vec3& d = rays[i].direction();
@@ -327,11 +330,11 @@ void scene(const options& how, bool as_table, const built_in_surface<F>& surface
         "{\"what\": \"scene\", \"scene\": \"%s\", \"size\": %d, \"truth\": \"%s\", \"hits\": %td, "
         "\"misses\": %td, \"truth_half_width\": %.3e, \"truth_seconds\": %.3f, \"octree_seconds\": "
         "%.5f}\n",
-        name, how.size, is_algebraic<F>() ? "exact" : "certified", hits, misses, widest,
+        name, settings.size, is_algebraic<F>() ? "exact" : "certified", hits, misses, widest,
         seconds() - start, voxelized);
   }
   const auto show = [&](int levels, std::vector<method>& all) {
-    measure(all, how);
+    measure(all, settings);
     const double bound =
         levels == 0 ? 0 : std::sqrt(3.0) * std::ldexp(octree->root_octant().size, -levels - 1);
     const auto judge_of = std::find_if(all.begin(), all.end(), [](const method& m) {
@@ -344,46 +347,48 @@ void scene(const options& how, bool as_table, const built_in_surface<F>& surface
         for (std::size_t i = 0; i < rays.size(); ++i)
           r.other_octants += !same_leaf(m.hits[i], judge_of->hits[i]);
       }
-      as_table ? print_table(r, rays.size()) : how.json ? print_json(r, how) : print_text(r);
+      as_table        ? print_table(r, rays.size())
+      : settings.json ? print_json(r, settings)
+                      : print_text(r);
     }
     std::fflush(stdout);
   };
   if (!as_table) {
     std::vector<method> along;
     along.reserve(3); // a method's run refers to its hits
-    add_certified<F>(along, how, domain, rays);
+    add_certified<F>(along, settings, domain, rays);
     show(0, along);
   }
-  for (const int levels : how.levels) {
+  for (const int levels : settings.levels) {
     std::vector<method> all;
     all.reserve(9);
-    add_descents<F>(all, how, domain, *octree, levels, paper, rays);
+    add_descents<F>(all, settings, domain, *octree, levels, paper, rays);
     show(levels, all);
   }
 }
 
-int all_scenes(const options& how, bool as_table) {
+int all_scenes(const options& settings, bool as_table) {
   for_each_built_in([&](const auto& surface) {
-    if (how.wants(surface.name))
-      scene(how, as_table, surface);
+    if (settings.wants(surface.name))
+      scene(settings, as_table, surface);
   });
   return 0;
 }
 
 } // namespace
 
-int images(const options& how) {
-  if (!how.json)
+int images(const options& settings) {
+  if (!settings.json)
     std::printf(
         "| scene | method | NL | s | hits | undecided | wrong hits | wrong misses | not enclosed | "
         "sqrt(3) 2^(-NL-1) of the root | depth: median | 99.9 %% | greatest | pixels beyond | "
         "first octant's middle: median | greatest | pixels beyond |\n"
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  return all_scenes(how, false);
+  return all_scenes(settings, false);
 }
 
-int table(const options& how) {
-  options fixed = how;
+int table(const options& settings) {
+  options fixed = settings;
   fixed.levels = {30};
   fixed.methods = {"gargantini", "plain", "published", "split", "upward", "avx512", "exact"};
   std::printf("| scene | column | s | rays/s | paper, s | paper, rays/s | hits | undecided | rays "

@@ -53,8 +53,8 @@ def expanded(path):
     braces = re.search(r"\{([^}]*)\}", path)
     if not braces:
         return [path]
-    return [one for choice in braces.group(1).split(",")
-            for one in expanded(path[:braces.start()] + choice + path[braces.end():])]
+    return [expanded_path for choice in braces.group(1).split(",")
+            for expanded_path in expanded(path[:braces.start()] + choice + path[braces.end():])]
 
 
 def code_problems(root, cell):
@@ -67,11 +67,11 @@ def code_problems(root, cell):
             continue
         files = []
         for path in expanded(token.rstrip(",;.")):
-            here = sorted(root.glob(path)) if "*" in path else [root / path]
-            here = [p for p in here if p.exists()]
-            if not here:
+            found = sorted(root.glob(path)) if "*" in path else [root / path]
+            found = [p for p in found if p.exists()]
+            if not found:
                 yield f"no file {path}"
-            files += [p for h in here for p in ([h] if h.is_file() else sorted(h.rglob("*.[ch]pp")))]
+            files += [p for h in found for p in ([h] if h.is_file() else sorted(h.rglob("*.[ch]pp")))]
     if not re.search(r"/", cell):
         yield "names no code"
 
@@ -101,9 +101,9 @@ def test_problems(names, cell):
         yield "names no test"
     for pattern in patterns:
         simple = re.sub(r"([\[\]])", r"[\1]", pattern)
-        for one in expanded(simple):
-            if not missing_programs and not fnmatch.filter(names, one + "*"):
-                yield f"no test {one}"
+        for name in expanded(simple):
+            if not missing_programs and not fnmatch.filter(names, name + "*"):
+                yield f"no test {name}"
 
 
 def problems(root, claims, texts, names):
@@ -126,15 +126,15 @@ def problems(root, claims, texts, names):
             if promise and not ids and not section and "<!-- no claim -->" not in block and not block.startswith("    "):
                 found.append(f"{path}:{line}: '{promise.group(0)}' promises, and has no claim beside it")
     for row in table:
-        who = f"CLAIMS.md:{row['line']}: {row['id']}: "
+        prefix = f"CLAIMS.md:{row['line']}: {row['id']}: "
         if row["id"] in seen:
-            found.append(who + "twice")
+            found.append(prefix + "twice")
         seen.add(row["id"])
         if row["id"] not in anchored:
-            found.append(who + "no guarantee in README or docs bears this id")
-        found += [who + p for p in code_problems(root, row["code"])]
-        found += [who + p for p in proof_problems(root, row["proof"])]
-        found += [who + p for p in test_problems(names, row["tests"])]
+            found.append(prefix + "no guarantee in README or docs bears this id")
+        found += [prefix + p for p in code_problems(root, row["code"])]
+        found += [prefix + p for p in proof_problems(root, row["proof"])]
+        found += [prefix + p for p in test_problems(names, row["tests"])]
     if not table:
         found.append("CLAIMS.md: no rows")
     return found
@@ -158,9 +158,9 @@ def self_test(root, claims, texts, names):
         "promise": (claims, {**texts, some: texts[some] + "\n\nIt never rains.\n"}, "'never' promises"),
     }
     code = 0
-    for what, (broken, documents_, expected) in breaks.items():
+    for title, (broken, documents_, expected) in breaks.items():
         found = [p for p in problems(root, broken, documents_, names) if expected in p]
-        print(f"broken {what}: {found[0] if found else 'NOT FOUND'}")
+        print(f"broken {title}: {found[0] if found else 'NOT FOUND'}")
         code |= not found
     return code
 

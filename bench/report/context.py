@@ -21,9 +21,9 @@ class MeasurementFailed(Exception):
 class Usage:
     """What a command took: stdout, seconds by the clock, seconds of the processor, peak resident bytes."""
 
-    def __init__(self, stdout, told):
+    def __init__(self, stdout, usage):
         self.stdout = stdout
-        self.seconds, self.processor, self.peak_bytes = told["seconds"], told["processor"], told["peak_bytes"]
+        self.seconds, self.processor, self.peak_bytes = usage["seconds"], usage["processor"], usage["peak_bytes"]
 
 
 class Context:
@@ -32,8 +32,8 @@ class Context:
     def __init__(self, out, quick=False, core=0, say=None, build=BUILD):
         self.quick, self.core, self.root, self.build = quick, core, ROOT, pathlib.Path(build)
         self.out = pathlib.Path(out)
-        self.work = self.out / "work"
-        self.work.mkdir(parents=True, exist_ok=True)
+        self.scratch = self.out / "work"
+        self.scratch.mkdir(parents=True, exist_ok=True)
         self.missing_peers = []
         self.say = say or (lambda text: None)
 
@@ -95,11 +95,11 @@ class Context:
 
     def measured(self, command, core=None, timeout=None, codes=(0,)):
         """As `run`, with what the command took (Usage); peak memory is of its largest process."""
-        told = self.work / "usage.json"
-        told.unlink(missing_ok=True)
-        usage = [sys.executable, "-I", "-S", str(pathlib.Path(__file__).with_name("usage.py")), str(told)]
+        usage_file = self.scratch / "usage.json"
+        usage_file.unlink(missing_ok=True)
+        usage = [sys.executable, "-I", "-S", str(pathlib.Path(__file__).with_name("usage.py")), str(usage_file)]
         stdout = self.run([*usage, *command], core=core, timeout=timeout, codes=codes)
-        return Usage(stdout, json.loads(told.read_text()))
+        return Usage(stdout, json.loads(usage_file.read_text()))
 
 
 def first_line(command):
@@ -155,14 +155,14 @@ def source():
 
 def packages():
     """Versions of the report's packages as dpkg tells them, None for what is not installed."""
-    told = "source cmake/setup.sh && echo ${graze_report_packages[@]} python3-matplotlib libboost-dev libmpfr-dev " \
-           "libbenchmark-dev"
-    names = subprocess.run(["bash", "-c", told], cwd=ROOT, stdout=subprocess.PIPE, text=True).stdout.split()
+    command = "source cmake/setup.sh && echo ${graze_report_packages[@]} python3-matplotlib libboost-dev libmpfr-dev " \
+              "libbenchmark-dev"
+    names = subprocess.run(["bash", "-c", command], cwd=ROOT, stdout=subprocess.PIPE, text=True).stdout.split()
     if not shutil.which("dpkg-query"):
         return {}
-    told = subprocess.run(["dpkg-query", "-W", "-f=${Package} ${db:Status-Status} ${Version}\n", *names],
-                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
-    found = {row[0]: row[2] for row in map(str.split, told.splitlines()) if len(row) == 3 and row[1] == "installed"}
+    versions = subprocess.run(["dpkg-query", "-W", "-f=${Package} ${db:Status-Status} ${Version}\n", *names],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+    found = {row[0]: row[2] for row in map(str.split, versions.splitlines()) if len(row) == 3 and row[1] == "installed"}
     return {name: found.get(name) for name in names}
 
 

@@ -74,8 +74,8 @@ def new(width=900, height=480, rows=1, columns=1, **options):
 def finish(fig):
     """The figure as SVG to be put into a page. Its description names the axes."""
     labels = [(ax.get_title(loc="left") or ax.get_title(), ax.get_xlabel(), ax.get_ylabel()) for ax in fig.axes]
-    told = "; ".join(f"{title}: {y} against {x}".strip(": ") for title, x, y in labels if x and y)
-    if not told:
+    description = "; ".join(f"{title}: {y} against {x}".strip(": ") for title, x, y in labels if x and y)
+    if not description:
         raise ValueError("a figure whose axes have no labels")
     with matplotlib.rc_context(STYLE):
         file = io.StringIO()
@@ -86,8 +86,8 @@ def finish(fig):
     svg = re.sub(r"<!--.*?-->\s*", "", svg, flags=re.S)
     svg = re.sub(r'<g id="[a-zA-Z0-9_. ]+"', "<g", svg)
     svg = re.sub(r"(\d+\.\d\d\d)\d+", r"\1", svg)
-    told = told.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-    return re.sub(r"(<svg[^>]*)>", rf'\1 role="img">\n<desc>{told}</desc>', svg, count=1)
+    description = description.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    return re.sub(r"(<svg[^>]*)>", rf'\1 role="img">\n<desc>{description}</desc>', svg, count=1)
 
 
 def drawn(draw):
@@ -164,9 +164,9 @@ def draw_scatter(ax, points, x_label, y_label, title="", log_x=True, log_y=True,
            for axis, log in (("x", log_x), ("y", log_y))}
     placed = [{**p, **{a: top[a] if math.isinf(p[a]) else p[a] for a in "xy"}} for p in points]
     for library in dict.fromkeys(p["library"] for p in placed):
-        here = [p for p in placed if p["library"] == library]
+        own = [p for p in placed if p["library"] == library]
         shade, marker = look(library)
-        ax.errorbar([p["x"] for p in here], [p["y"] for p in here], xerr=bars_of(here, "x"), yerr=bars_of(here, "y"),
+        ax.errorbar([p["x"] for p in own], [p["y"] for p in own], xerr=bars_of(own, "x"), yerr=bars_of(own, "y"),
                     fmt=marker, color=shade, markersize=7, elinewidth=1.2, label=library, linestyle="none",
                     markeredgecolor="white", markeredgewidth=0.6, clip_on=False, zorder=3)
     marked = [p for p in placed if p.get("marked")]
@@ -203,12 +203,12 @@ def place_texts(fig):
                                    ha="center" if not side else "left" if side > 0 else "right")
                 note.set_in_layout(False)
                 box = note.get_window_extent(renderer)
-                here = (box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1)
-                cost = sum(overlap(here, other) for other in taken) + 10 * outside(here, frame) + distance
+                place = (box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1)
+                cost = sum(overlap(place, other) for other in taken) + 10 * outside(place, frame) + distance
                 if best is None or cost < best[0]:
                     if best:
                         best[1].remove()
-                    best = (cost, note, here)
+                    best = (cost, note, place)
                 else:
                     note.remove()
             taken.append(best[2])
@@ -319,9 +319,9 @@ def bars(groups, y_label, x_label="", title="", log_y=False, width=900, height=4
     libraries = list(dict.fromkeys(b["library"] for g in groups for b in g["bars"]))
     wide = min(0.82 / len(libraries), 0.4)
     for k, library in enumerate(libraries):
-        here = [(at, b) for at, g in enumerate(groups) for b in g["bars"] if b["library"] == library]
-        xs = [at + (k - (len(libraries) - 1) / 2) * wide for at, _ in here]
-        all_bars = [b for _, b in here]
+        bars_at = [(at, b) for at, g in enumerate(groups) for b in g["bars"] if b["library"] == library]
+        xs = [at + (k - (len(libraries) - 1) / 2) * wide for at, _ in bars_at]
+        all_bars = [b for _, b in bars_at]
         ax.bar(xs, [b["y"] for b in all_bars], wide * 0.92, color=colour(library), label=library,
                yerr=bars_of(all_bars, "y"), error_kw={"elinewidth": 1, "ecolor": "#333"})
         wrong = [(x, b["y"]) for x, b in zip(xs, all_bars) if b.get("marked")]

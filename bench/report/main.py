@@ -127,8 +127,8 @@ class Progress:
 
     def left(self):
         rest = sum(self.budget[name] for name in self.names if name not in self.done and name != self.now)
-        here = 0 if self.now in self.done else self.budget.get(self.now, 0) - (time.monotonic() - self.began)
-        return rest + max(0, here)
+        remaining = 0 if self.now in self.done else self.budget.get(self.now, 0) - (time.monotonic() - self.began)
+        return rest + max(0, remaining)
 
     def __call__(self, words):
         print(f"[{clock(time.monotonic() - self.start)}, about {clock(self.left())} left] {self.now}: {words}",
@@ -181,7 +181,7 @@ def measure(given, modules, report, keep):
             if not isinstance(error, contexts.MeasurementFailed):
                 traceback.print_exc()
         finally:
-            shutil.rmtree(context.work, ignore_errors=True)
+            shutil.rmtree(context.scratch, ignore_errors=True)
         entry["seconds"] = round(time.monotonic() - began, 1)
         entry["missing"] = context.missing_peers
         keep()
@@ -247,7 +247,7 @@ def finish(given, report, modules, out):
     return all(state == "done" for state in states.values())
 
 
-def work(arguments, modules):
+def make_report(arguments, modules):
     given = options(arguments, modules)
     if given.help:
         print(__doc__.strip())
@@ -276,7 +276,7 @@ def work(arguments, modules):
 
 def main(arguments, modules=None):
     try:
-        return work(arguments, sections_here() if modules is None else modules)
+        return make_report(arguments, sections_here() if modules is None else modules)
     except BadInput as error:
         print(f"graze-report: {error}", file=sys.stderr)
         return 2

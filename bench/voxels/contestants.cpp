@@ -186,13 +186,13 @@ template <class Walk> auto cell_by_cell(const occupied_octants& octants) {
   });
 }
 
-auto lanes(const std::shared_ptr<const octree::voxel_set>& set, batch::path path, convention what,
-           exactness how) {
+auto lane_walk(const std::shared_ptr<const octree::voxel_set>& set, batch::path path,
+               convention rule, exactness certainty) {
   return [=](rays some, reported& out) {
     batch::force_path(path);
     const std::size_t before = out.counts.size();
     out.counts.resize(before + some.size());
-    octree::visit_voxels(*set, some, what, how, {},
+    octree::visit_voxels(*set, some, rule, certainty, {},
                          [&](std::size_t i, std::span<const octree::voxel> found) {
                            for (const octree::voxel& v : found)
                              out.octants.push_back(v.packed);
@@ -229,8 +229,8 @@ void add_lanes(maker& to, const occupied_octants& octants) {
       *octree::root_cube::make(octants.root, octants.level), std::span(octants.indices)));
   struct variant {
     const char *name, *traversal;
-    convention what;
-    exactness how;
+    convention rule;
+    exactness certainty;
   };
   using enum convention;
   using enum exactness;
@@ -242,7 +242,7 @@ void add_lanes(maker& to, const occupied_octants& octants) {
       if (!batch::refusal(p))
         to.add(
             "graze", std::string(v.name) + ", " + batch::name(p), v.traversal,
-            [&] { return lanes(set, p, v.what, v.how); }, batch::name(p));
+            [&] { return lane_walk(set, p, v.rule, v.certainty); }, batch::name(p));
 }
 
 /// What drives a traversal from a paper, by what it is (peers/list.hpp).

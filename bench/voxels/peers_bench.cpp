@@ -32,20 +32,21 @@ struct timing {
 /// Blocks of rays, each by all contestants in turn, so that a slow second is everybody's. One that
 /// does not come to a block's end within its slice is timed on the first rays of it. A block ahead
 /// warms up.
-std::vector<timing> time(const std::vector<contestant>& all, const rays& r, const options& asked) {
+std::vector<timing> time(const std::vector<contestant>& all, const rays& r,
+                         const options& settings) {
   constexpr std::size_t chunk = 256; // its voxels are overwritten by the next
-  const std::size_t size = (r.size() + asked.blocks - 1) / asked.blocks;
+  const std::size_t size = (r.size() + settings.blocks - 1) / settings.blocks;
   std::vector<timing> timings(all.size());
   reported found;
-  for (std::size_t block = 0; block <= asked.blocks; ++block) {
+  for (std::size_t block = 0; block <= settings.blocks; ++block) {
     const std::size_t from = (block == 0 ? 0 : block - 1) * size;
     const std::size_t to = std::min(from + size, r.size());
     for (std::size_t c = 0; from < to && c < all.size(); ++c) {
       timing t;
       const double start = cpu_seconds();
       double seconds = 0;
-      for (std::size_t at = from; at < to && (asked.slice == 0 || seconds < asked.slice);) {
-        const std::size_t count = std::min(asked.slice == 0 || at != from ? chunk : 16, to - at);
+      for (std::size_t at = from; at < to && (settings.slice == 0 || seconds < settings.slice);) {
+        const std::size_t count = std::min(settings.slice == 0 || at != from ? chunk : 16, to - at);
         found.clear();
         all[c].trace({r.data() + at, count}, found);
         at += count;
@@ -118,10 +119,10 @@ void print_table(const std::vector<contestant>& all, const std::vector<timing>& 
 /// traversal.
 void print_json(const std::vector<contestant>& all, const std::vector<timing>& timings,
                 const std::vector<judged>& verdicts, const occupied_octants& octants,
-                const options& asked) {
+                const options& settings) {
   std::printf("{\"scene\": \"sphere shell\", \"level\": %d, \"voxels\": %zu, \"rays\": %zu, "
               "\"blocks\": %zu, \"slice_seconds\": %g, \"missing\": \"%s\", \"untimed\": {",
-              octants.level, octants.indices.size(), asked.rays, asked.blocks, asked.slice,
+              octants.level, octants.indices.size(), settings.rays, settings.blocks, settings.slice,
               GRAZE_PEERS_MISSING);
   const char* between = "";
   for (const graze::peers::library& library : graze::peers::libraries())
@@ -189,35 +190,35 @@ bool read(std::string_view argument, options& o) {
 int main(int argc, char** argv) {
   if (!graze::rounding::program_may_start("graze-voxel-peers"))
     return 2;
-  options asked;
+  options settings;
   for (int i = 1; i < argc; ++i)
-    if (!read(argv[i], asked))
+    if (!read(argv[i], settings))
       return std::fputs(usage, stderr), 2;
-  if (asked.rays == 0 || asked.blocks == 0 || asked.level < 1 || asked.level > 11)
+  if (settings.rays == 0 || settings.blocks == 0 || settings.level < 1 || settings.level > 11)
     return std::fputs(usage, stderr), 2;
-  const occupied_octants octants = sphere_shell(static_cast<int>(asked.level));
-  const std::vector<contestant> all = contestants(octants, asked.only);
+  const occupied_octants octants = sphere_shell(static_cast<int>(settings.level));
+  const std::vector<contestant> all = contestants(octants, settings.only);
   if (all.empty()) {
     std::fprintf(stderr, "graze-voxel-peers: no traversal has \"%s\" in its name\n",
-                 asked.only.c_str());
+                 settings.only.c_str());
     return 2;
   }
-  if (!asked.json)
+  if (!settings.json)
     std::printf("sphere shell, level %zu: %zu voxels; %zu random rays, one core; missing:%s\n\n",
-                asked.level, octants.indices.size(), asked.rays, GRAZE_PEERS_MISSING);
-  const std::vector<timing> timings = time(all, random_rays(asked.rays, 1), asked);
+                settings.level, octants.indices.size(), settings.rays, GRAZE_PEERS_MISSING);
+  const std::vector<timing> timings = time(all, random_rays(settings.rays, 1), settings);
   std::vector<judged> verdicts;
-  if (asked.judged != 0) {
+  if (settings.judged != 0) {
     const exact_octants exact(octants);
     const auto adversarial = [&](precision p, std::uint64_t seed) {
-      return adversarial_rays(octants, p, asked.judged, seed);
+      return adversarial_rays(octants, p, settings.judged, seed);
     };
-    verdicts.push_back(judge(all, exact, random_rays(asked.judged, 2), "random"));
+    verdicts.push_back(judge(all, exact, random_rays(settings.judged, 2), "random"));
     verdicts.push_back(judge(all, exact, adversarial(precision::single, 3), "adversarial float"));
     verdicts.push_back(judge(all, exact, adversarial(precision::twice, 4), "adversarial double"));
   }
-  if (asked.json)
-    print_json(all, timings, verdicts, octants, asked);
+  if (settings.json)
+    print_json(all, timings, verdicts, octants, settings);
   else
     print_table(all, timings, verdicts);
   return 0;

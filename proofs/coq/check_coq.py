@@ -167,8 +167,8 @@ def check(arguments):
         off = [line for line in re.findall(r"^\* (.*)$", text, re.M)
                if line.startswith(("Constants/Inductives", "Inductives whose")) and
                not line.rstrip().endswith("<none>")]
-        for what in ours + off:
-            text += f"not allowed: {what}\n"
+        for entry in ours + off:
+            text += f"not allowed: {entry}\n"
         return done.returncode == 0 and not ours and not off, text
 
     return cached(arguments, "coqchk", digest(compiled, run(["coqchk", "--version"]).stdout), step)
@@ -201,11 +201,11 @@ def axioms(arguments):
         if done.returncode or len(answers) != len(wanted):
             return False, done.stdout + f"{len(answers)} answers for {len(wanted)} questions\n"
         passed, text = True, ""
-        for who, answer in zip(wanted, answers):
+        for theorem, answer in zip(wanted, answers):
             names = set(re.findall(r"^([\w.']+)\s*(?::|$)", answer, re.M)) - {"Axioms"}
             if answer.startswith("Closed"):
                 names = set()
-            text += ".".join(who) + ": " + (", ".join(sorted(names)) or "no axiom") + "\n"
+            text += ".".join(theorem) + ": " + (", ".join(sorted(names)) or "no axiom") + "\n"
             if names - ALLOWED:
                 passed = False
                 text += f"  NOT ALLOWED: {', '.join(sorted(names - ALLOWED))}\n"

@@ -67,10 +67,10 @@ double related(random_stream& random, bool any, double other) {
 tie::line of_special_numbers(random_stream& random) {
   const bool any = random.one_in(16);
   tie::line l;
-  const double one = special(random, any);
+  const double first = special(random, any);
   const bool alike = random.one_in(4); // every component the same: ties of all bounds
   for (std::size_t i = 0; i < 3; ++i) {
-    l.o[i] = alike && i > 0 ? l.o[0] : related(random, any, one);
+    l.o[i] = alike && i > 0 ? l.o[0] : related(random, any, first);
     l.d[i] = alike && i > 0 ? l.d[0] : special(random, any);
     l.lo[i] = related(random, any, l.o[i]);
     l.hi[i] = related(random, any, random.coin() ? l.o[i] : l.lo[i]);

@@ -11,16 +11,16 @@ if(NOT GRAZE_COQC OR NOT GRAZE_OCAMLFIND)
   return()
 endif()
 
-set(model ${there}/model)
+set(model ${tie_build_dir}/model)
 set(graze_model ${model}/graze-model)
-set(model_answers ${there}/answers.txt)
+set(model_answers ${tie_build_dir}/answers.txt)
 set(coq_sources)
 set(compile)
 foreach(name Model Model_descent Negation Bounds Never_miss Nearest Exact_integer Extraction)
   list(APPEND coq_sources ${PROJECT_SOURCE_DIR}/proofs/coq/${name}.v)
   list(APPEND compile COMMAND ${GRAZE_COQC} -q -Q . Graze ${name}.v)
 endforeach()
-set(ocaml_sources ${here}/zarith_bits.ml ${here}/graze_model.ml)
+set(ocaml_sources ${tie_source_dir}/zarith_bits.ml ${tie_source_dir}/graze_model.ml)
 file(MAKE_DIRECTORY ${model})
 add_custom_command(
   OUTPUT ${model}/model.ml
@@ -42,10 +42,10 @@ target_link_libraries(tie_generate PRIVATE graze::fuzz_core)
 
 add_test(NAME "proofs.tie: vectors.txt is the model's"
          COMMAND ${CMAKE_COMMAND} -DMODEL=${graze_model} -DVECTORS=${vectors}
-                 -DOUT=${there}/vectors.txt -P ${here}/same_vectors.cmake)
+                 -DOUT=${tie_build_dir}/vectors.txt -P ${tie_source_dir}/same_vectors.cmake)
 set_tests_properties("proofs.tie: vectors.txt is the model's" PROPERTIES TIMEOUT 300)
 add_test(NAME "proofs.tie: the model answers"
          COMMAND ${CMAKE_COMMAND} -DGENERATE=$<TARGET_FILE:tie_generate> -DMODEL=${graze_model}
-                 -DOUT=${model_answers} -P ${here}/answer.cmake)
+                 -DOUT=${model_answers} -P ${tie_source_dir}/answer.cmake)
 set_tests_properties("proofs.tie: the model answers" PROPERTIES
                      FIXTURES_SETUP tie_answers TIMEOUT 7200)

@@ -1,13 +1,13 @@
 # Mutants: the code with one fault each, which vectors.txt must catch. A fault is made of the
 # shipped header by replacing a text that must stand in it exactly once, so that none can rot.
 
-set(mutants ${there}/mutants)
+set(mutants ${tie_build_dir}/mutants)
 set(mutant_compiler "${GRAZE_TEST_GXX}")
 
-# graze_mutant(ID "what is wrong" FILE header FROM text TO text [LANES baseline]
+# graze_mutant(ID "what is wrong" FILE header FROM text TO text [PATHS baseline]
 #              [COMPILER path] [FLAGS ...] [REPLAY argument])
-function(graze_mutant id what)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "FILE;FROM;TO;COMPILER;LANES;REPLAY" "FLAGS")
+function(graze_mutant id title)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "FILE;FROM;TO;COMPILER;PATHS;REPLAY" "FLAGS")
   set(compiler ${mutant_compiler})
   if(arg_COMPILER)
     set(compiler ${arg_COMPILER})
@@ -15,8 +15,8 @@ function(graze_mutant id what)
   if(NOT arg_FLAGS)
     set(arg_FLAGS -O1 -DGRAZE_TIE_UPWARD_ALONE)
   endif()
-  if(NOT arg_LANES)
-    set(arg_LANES none)
+  if(NOT arg_PATHS)
+    set(arg_PATHS none)
   endif()
   string(REGEX REPLACE "^.*/include/" "" header ${arg_FILE})
   set(original ${PROJECT_SOURCE_DIR}/${arg_FILE})
@@ -33,18 +33,18 @@ function(graze_mutant id what)
   if(NOT compiler)
     return() # CMakeLists.txt has said so
   endif()
-  graze_tie_program(mutant_${id} ${compiler} ${arg_LANES} ${arg_FLAGS} -w -I${mutants}/${id})
-  add_test(NAME "proofs.tie: mutant is caught: ${what}"
-           COMMAND sh -c "\"$@\"; test $? = 1" sh ${there}/programs/mutant_${id} ${arg_REPLAY}
+  graze_tie_program(mutant_${id} ${compiler} ${arg_PATHS} ${arg_FLAGS} -w -I${mutants}/${id})
+  add_test(NAME "proofs.tie: mutant is caught: ${title}"
+           COMMAND sh -c "\"$@\"; test $? = 1" sh ${tie_build_dir}/programs/mutant_${id} ${arg_REPLAY}
                    ${vectors})
 endfunction()
 
 # The controls: the same programs without a fault pass.
 if(mutant_compiler)
-  foreach(lanes none baseline)
-    graze_tie_program(control_${lanes} ${mutant_compiler} ${lanes} -O1 -DGRAZE_TIE_UPWARD_ALONE)
-    add_test(NAME "proofs.tie: what the mutants are made of passes (lanes: ${lanes})"
-             COMMAND ${there}/programs/control_${lanes} ${vectors})
+  foreach(paths none baseline)
+    graze_tie_program(control_${paths} ${mutant_compiler} ${paths} -O1 -DGRAZE_TIE_UPWARD_ALONE)
+    add_test(NAME "proofs.tie: what the mutants are made of passes (lanes: ${paths})"
+             COMMAND ${tie_build_dir}/programs/control_${paths} ${vectors})
   endforeach()
 endif()
 
@@ -114,15 +114,15 @@ graze_mutant(root_owned "the root's far faces not closed" FILE ${file}
              FROM "within<convention::closed>" TO "within<C>")
 
 set(file octree/tree/include/graze/octree/sound_eight.hpp)
-set(lanes LANES baseline)
-graze_mutant(lanes_not_strict "<= for < in the lanes" FILE ${file} ${lanes}
+set(on_baseline PATHS baseline)
+graze_mutant(lanes_not_strict "<= for < in the lanes" FILE ${file} ${on_baseline}
              FROM "Path::less(zero.part[i], u.part[i])"
              TO "Path::less_equal(zero.part[i], u.part[i])")
-graze_mutant(lanes_swapped "Cdn and Cup swapped in the lanes" FILE ${file} ${lanes}
+graze_mutant(lanes_swapped "Cdn and Cup swapped in the lanes" FILE ${file} ${on_baseline}
              FROM "c_up_.part[i], c_down_.part[i]" TO "c_down_.part[i], c_up_.part[i]")
-graze_mutant(lanes_order "the order of the lanes' mirror reversed" FILE ${file} ${lanes}
+graze_mutant(lanes_order "the order of the lanes' mirror reversed" FILE ${file} ${on_baseline}
              FROM "on_upper_side(positive) ^ mirror_" TO "on_upper_side(positive) ^ mirror_ ^ 7u")
-graze_mutant(lanes_across "no rule for zero in the lanes" FILE ${file} ${lanes}
+graze_mutant(lanes_across "no rule for zero in the lanes" FILE ${file} ${on_baseline}
              FROM "if (across_ != 0) [[unlikely]]" TO "if (across_ == 8) [[unlikely]]")
 
 # Flushing of subnormal numbers, within a scope and where a scope or a check lets it pass.
@@ -135,9 +135,9 @@ if(x86_64)
                TO "set_mxcsr(static_cast<unsigned>(m) | (found_ & 0x8040u))")
   set(file interval/include/graze/rounding/environment.hpp)
   graze_mutant(ftz_let_pass "FTZ is not refused" FILE ${file} REPLAY --flush
-               FROM "(!here.knows_subnormal_results())" TO "(false)")
+               FROM "(!thread.knows_subnormal_results())" TO "(false)")
   graze_mutant(daz_let_pass "DAZ is not refused" FILE ${file} REPLAY --flush
-               FROM "(!here.knows_subnormal_operands())" TO "(false)")
+               FROM "(!thread.knows_subnormal_operands())" TO "(false)")
 
   # Without -frounding-math the code holds (variants.cmake) by its barriers alone: without those it
   # does not.
@@ -182,7 +182,7 @@ foreach(name IN LISTS compiler_names)
     string(REPLACE " " ";" list "${flags}")
     set(test "proofs.tie: ${flags} is refused (${name})")
     add_test(NAME ${test} COMMAND ${path_of_${name}} -std=c++20 ${list} -fsyntax-only
-                                  ${include_flags} ${here}/replay.cpp)
+                                  ${include_flags} ${tie_source_dir}/replay.cpp)
     set_tests_properties(${test} PROPERTIES PASS_REGULAR_EXPRESSION "breaks every bound")
   endforeach()
 endforeach()

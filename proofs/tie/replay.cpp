@@ -25,7 +25,7 @@ using namespace graze::tie;
 
 struct entry {
   const char* name;
-  answers (*of)(const line&, bool);
+  answers (*answer)(const line&, bool);
   bool clears_flushing;
   bool planes_down; ///< the code's own sums may round down in its scope
 };
@@ -43,9 +43,9 @@ constexpr entry backends[] = {
 
 unsigned long wrong = 0, of_lanes = 0;
 
-void complain(const char* who, const std::string& text, const std::string& got) {
+void complain(const char* name, const std::string& text, const std::string& got) {
   if (++wrong <= 3)
-    std::printf("%s: %s\n  answers  %s\n", who, text.c_str(), got.c_str());
+    std::printf("%s: %s\n  answers  %s\n", name, text.c_str(), got.c_str());
 }
 
 /// What a path's lanes say against ray_bounds<upward> and the model's verdicts.
@@ -117,7 +117,7 @@ int show(const char* name) {
           std::fprintf(stderr, "replay: not a line: %s\n", text.c_str());
           return 2;
         }
-        std::printf("%s\n", b.of(*l, true).text().c_str());
+        std::printf("%s\n", b.answer(*l, true).text().c_str());
       }
       return 0;
     }
@@ -161,7 +161,7 @@ int main(int count, char** arguments) {
     ++lines;
     for (const entry& b : backends)
       if (!flush || b.clears_flushing)
-        if (const std::string got = b.of(*l, false).text();
+        if (const std::string got = b.answer(*l, false).text();
             got != l->answers && !(b.planes_down && got == l->answers_down))
           complain(b.name, text, got);
     for (const lane_path* p : lane_paths)

@@ -1,13 +1,13 @@
 # The code must give the model's answers whatever the flags: the barriers of the backends hold
 # without -frounding-math and with contraction allowed.
 
-# graze_tie_variant(ID COMPILER LANES FLAGS...)
-function(graze_tie_variant id compiler lanes)
+# graze_tie_variant(ID COMPILER PATHS FLAGS...)
+function(graze_tie_variant id compiler paths)
   if(NOT compiler IN_LIST compiler_names)
     return()
   endif()
-  graze_tie_program(${id} ${path_of_${compiler}} ${lanes} ${ARGN})
-  set(program ${there}/programs/${id})
+  graze_tie_program(${id} ${path_of_${compiler}} ${paths} ${ARGN})
+  set(program ${tie_build_dir}/programs/${id})
   list(JOIN ARGN " " flags)
   set(label "(${compiler} ${flags})")
   add_test(NAME "proofs.tie: replay ${label}" COMMAND ${program} ${vectors})

@@ -83,12 +83,12 @@ void ask_points(answers& a) {
 
 void ask_tests(answers& a, unsigned thinning) {
   for_each_pair(thinning, [&a](const bounds& x, const bounds& y) {
-    unsigned said = 0;
+    unsigned found = 0;
     for (const bool b :
          {equal(x, y), subset(x, y), interior(x, y), less(x, y), strict_less(x, y), precedes(x, y),
           strict_precedes(x, y), disjoint(x, y), is_member(x.lo, y), is_singleton(x)})
-      said = said << 1 | (b ? 1u : 0u);
-    a.says(said);
+      found = found << 1 | (b ? 1u : 0u);
+    a.says(found);
     a.says(static_cast<std::uint64_t>(overlap(x, y)));
     a.says(graze_overlap({x.lo, x.hi}, {y.lo, y.hi}));
     a.bounds_are(nums_to_interval(x.lo, y.lo).value);
@@ -142,11 +142,14 @@ void ask_batch(answers& a, batch::path p, unsigned thinning) {
       a.bounds_are(b);
   };
   using spans = std::span<const bounds>;
-  const auto one = [&](void (*f)(spans, std::span<bounds>)) { f(x, r), keep(); };
-  const auto two = [&](void (*f)(spans, spans, std::span<bounds>)) { f(x, y, r), keep(); };
-  one(batch::neg), one(batch::sqr), one(batch::sqrt), one(batch::abs);
-  two(batch::add), two(batch::sub), two(batch::mul), two(batch::div);
-  two(batch::min), two(batch::max), two(batch::intersection), two(batch::hull);
+  const auto check_unary = [&](void (*f)(spans, std::span<bounds>)) { f(x, r), keep(); };
+  const auto check_binary = [&](void (*f)(spans, spans, std::span<bounds>)) { f(x, y, r), keep(); };
+  check_unary(batch::neg), check_unary(batch::sqr), check_unary(batch::sqrt),
+      check_unary(batch::abs);
+  check_binary(batch::add), check_binary(batch::sub), check_binary(batch::mul),
+      check_binary(batch::div);
+  check_binary(batch::min), check_binary(batch::max), check_binary(batch::intersection),
+      check_binary(batch::hull);
   batch::fma(x, y, z, r), keep();
   batch::unforce_path();
 }

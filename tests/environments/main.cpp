@@ -46,38 +46,32 @@ bool is_set(const environment& e) {
   return (hardware::mxcsr() & ~0x3fu) == e.mxcsr && hardware::x87_control() == e.x87;
 }
 
-struct asked {
-  answers said;
+struct observation {
+  answers given;
   bool kept;                          ///< the environment is as it was
   std::optional<std::string> refused; ///< refusal_for_nearest()
 };
 
 /// Where nothing is promised, no more is asked than whether that is refused: a debug build asserts.
-asked ask(const row& r, const environment& e, bool promised) {
-  asked a;
-  const auto here = [&] {
-    set(e);
-    a.refused = rounding::refusal_for_nearest();
+observation observe(const row& r, const environment& e, bool promised) {
+  observation o;
+  const auto ask_row = [&] {
+    o.refused = rounding::refusal_for_nearest();
     if (promised)
-      r.ask(a.said);
-    a.kept = is_set(e);
-    rounding::set_default_environment();
+      r.ask(o.given);
+    o.kept = is_set(e);
   };
-  if (!e.in_thread) {
-    here();
-    return a;
-  }
-  // the thread has what its starter has: it sets nothing
+  // a thread has what its starter has: it sets nothing
   set(e);
-  std::thread other([&] {
-    a.refused = rounding::refusal_for_nearest();
-    if (promised)
-      r.ask(a.said);
-    a.kept = is_set(e);
-  });
+  if (e.in_thread) {
+    std::thread other(ask_row);
+    rounding::set_default_environment();
+    other.join();
+    return o;
+  }
+  ask_row();
   rounding::set_default_environment();
-  other.join();
-  return a;
+  return o;
 }
 
 bool to_nearest(const environment& e) { return (e.mxcsr & 0x6000) == 0; }
@@ -86,26 +80,26 @@ bool promised(const row& r, const environment& e) {
 }
 
 struct tally {
-  unsigned long asked = 0, unsound = 0, broken = 0;
+  unsigned long answers = 0, unsound = 0, broken = 0;
 };
 
 /// The cell of a table: "=" the same answers, "refused", or what is wrong.
 std::string verdict(const row& r, const environment& e, const answers& right, tally& all) {
-  const asked a = ask(r, e, promised(r, e));
-  all.asked += a.said.size();
-  if (!a.kept) {
+  const observation o = observe(r, e, promised(r, e));
+  all.answers += o.given.size();
+  if (!o.kept) {
     ++all.broken;
     return "environment not kept";
   }
   if (promised(r, e)) {
-    const answers::differences d = a.said.from(right);
+    const answers::differences d = o.given.from(right);
     if (d.different == 0)
       return "=";
     ++all.broken;
     all.unsound += d.unsound;
     return std::to_string(d.unsound) + " unsound of " + std::to_string(d.different) + " others";
   }
-  if (a.refused)
+  if (o.refused)
     return "refused";
   ++all.broken;
   return "not refused";
@@ -191,7 +185,7 @@ int main(int argc, char** argv) {
       std::printf("| %s |%s\n", names.c_str(), cells.c_str());
   }
   std::printf("%s%zu rows, %zu environments, %lu answers: %lu not as promised, %lu unsound\n",
-              table ? "\n" : "", rows.size(), environments.size(), all.asked, all.broken,
+              table ? "\n" : "", rows.size(), environments.size(), all.answers, all.broken,
               all.unsound);
   return all.broken != 0 ? 1 : 0;
 }

@@ -24,7 +24,7 @@ double of_bits(std::uint64_t bits) { return std::bit_cast<double>(bits); }
 const double tiny = of_bits(1), small = of_bits(0x0004000000000000);
 
 /// Rays through corners and faces, directions subnormal, huge and far apart.
-std::vector<ray> rays(answers* said = nullptr) {
+std::vector<ray> rays(answers* given = nullptr) {
   const double coordinates[] = {0, 0.25, 0.5, -1, 0.75, tiny, 1};
   const double components[] = {0, 1, -1, tiny, -small, 0x1p-600, 0x1p600, 0.3, of_bits(3)};
   std::vector<ray> made;
@@ -32,8 +32,8 @@ std::vector<ray> rays(answers* said = nullptr) {
     const vec3 o{coordinates[i % 7], coordinates[i / 7 % 7], coordinates[(i * 3 + i / 49) % 7]};
     const vec3 d{components[i / 49 % 9], components[i / 441 % 9], components[(i + i / 7) % 9]};
     const auto r = ray::make(o, d);
-    if (said != nullptr)
-      said->says(r ? 1 : 0);
+    if (given != nullptr)
+      given->says(r ? 1 : 0);
     if (r)
       made.push_back(*r);
   }
@@ -93,9 +93,9 @@ void ask_voxel_rays(answers& a, batch::path p) {
     const auto set = voxel_set::make(*root, voxels);
     const std::vector<ray> all = rays();
     std::vector<std::uint32_t> counts(all.size());
-    for (const exactness how : {exactness::exact, exactness::conservative})
-      for (const convention what : {convention::owned, convention::closed}) {
-        count_voxels(*set, all, what, how, counts);
+    for (const exactness certainty : {exactness::exact, exactness::conservative})
+      for (const convention rule : {convention::owned, convention::closed}) {
+        count_voxels(*set, all, rule, certainty, counts);
         for (const std::uint32_t n : counts)
           a.says(n);
       }

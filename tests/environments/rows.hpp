@@ -14,9 +14,9 @@ namespace graze::environments {
 /// The answers of a row: bounds, and whatever else is said.
 class answers {
 public:
-  void bounds_are(double lo, double hi) { put(true, lo, hi); }
-  void bounds_are(const bounds& x) { put(true, x.lo, x.hi); }
-  void value_is(double x) { put(false, x, x); }
+  void bounds_are(double lo, double hi) { record(true, lo, hi); }
+  void bounds_are(const bounds& x) { record(true, x.lo, x.hi); }
+  void value_is(double x) { record(false, x, x); }
   void says(std::uint64_t n) { all_.push_back({false, n, n}); }
   void says(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325;
@@ -38,7 +38,7 @@ private:
     bool is_bounds;
     std::uint64_t lo, hi;
   };
-  void put(bool is_bounds, double lo, double hi) {
+  void record(bool is_bounds, double lo, double hi) {
     all_.push_back({is_bounds, std::bit_cast<std::uint64_t>(lo), std::bit_cast<std::uint64_t>(hi)});
   }
   std::vector<answer> all_;

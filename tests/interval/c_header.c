@@ -6,10 +6,10 @@
 
 static int failures = 0;
 
-static void check(bool holds, const char* what) {
+static void check(bool holds, const char* claim) {
   if (!holds) {
     ++failures;
-    fprintf(stderr, "failed: %s\n", what);
+    fprintf(stderr, "failed: %s\n", claim);
   }
 }
 #define CHECK(condition) check(condition, #condition)

@@ -100,24 +100,24 @@ TEST_CASE("interval.core_math: with and without fused operations, the same bits 
     test::skipped("this processor has no fused operations: only one of the two ways was tested");
     return;
   }
-  struct one {
+  struct unary {
     const char* name;
     double (*plain)(double);
     double (*fused)(double);
   };
-  struct two {
+  struct binary {
     const char* name;
     double (*plain)(double, double);
     double (*fused)(double, double);
   };
 #define GRAZE_ROW(name) {#name, graze_cr_##name, graze_cr_##name##_fma},
-  const one functions[] = {GRAZE_FOR_EACH_POINT(GRAZE_ROW)};
-  const two binaries[] = {GRAZE_BINARY_FUNCTIONS(GRAZE_ROW)};
+  const unary functions[] = {GRAZE_FOR_EACH_POINT(GRAZE_ROW)};
+  const binary binaries[] = {GRAZE_BINARY_FUNCTIONS(GRAZE_ROW)};
 #undef GRAZE_ROW
   namespace hardware = graze::rounding::hardware;
   const int inputs = test::inputs_per_operation() / 5;
   for (const hardware::mode mode : {hardware::mode::up, hardware::mode::down}) {
-    for (const one& f : functions) {
+    for (const unary& f : functions) {
       oracle::hard_arguments make(1997);
       test::verdict result;
       for (int i = 0; i < inputs; ++i) {
@@ -131,7 +131,7 @@ TEST_CASE("interval.core_math: with and without fused operations, the same bits 
       }
       result.check();
     }
-    for (const two& f : binaries) {
+    for (const binary& f : binaries) {
       oracle::hard_arguments make(1999);
       test::verdict result;
       for (int i = 0; i < inputs; ++i) {

@@ -57,13 +57,13 @@ TEST_CASE("interval.witness: CORE-MATH and CRlibm agree, but where CRlibm is wro
   for (const crlibm& witness : witnesses) {
     const test::unary& f = graze_function(witness.name);
     const auto compare = [&](double x) {
-      const bounds one{f.down(x), f.up(x)}, other{witness.down(x), witness.up(x)};
-      if (test::same(one, other))
+      const bounds ours{f.down(x), f.up(x)}, theirs{witness.down(x), witness.up(x)};
+      if (test::same(ours, theirs))
         return;
       const bounds truth = oracle::enclosed(f.exact, x);
-      const char* verdict = !test::same(one, truth) ? ": Graze is wrong"
-                            : truth.within(other)   ? ": CRlibm is loose"
-                                                    : ": CRlibm is unsound";
+      const char* verdict = !test::same(ours, truth) ? ": Graze is wrong"
+                            : truth.within(theirs)   ? ": CRlibm is loose"
+                                                     : ": CRlibm is unsound";
       disagreements.insert(test::call(f.name, x) + verdict);
     };
     oracle::hard_arguments make(2003);

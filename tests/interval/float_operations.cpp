@@ -109,12 +109,12 @@ std::string text(const set& x) {
 class verdict {
 public:
   template <class I>
-  void judge(const char* what, const I& result, const set& expected, const set& x,
+  void judge(const char* expression, const I& result, const set& expected, const set& x,
              const set& y = {}) {
     ++judged_;
     const set got = empty(result) ? set{} : set{ends{result.lower(), result.upper()}};
     if (got != expected && ++failures_ <= 10)
-      first_ += std::string(what) + " gives " + text(got) + ", tightest " + text(expected) +
+      first_ += std::string(expression) + " gives " + text(got) + ", tightest " + text(expected) +
                 ", x " + text(x) + ", y " + text(y) + '\n';
   }
   void check() const {
@@ -250,12 +250,13 @@ TEST_CASE("interval.float: functions over boxes are tightest", "[property][mpfr]
 #define GRAZE_TWO(f) result.judge(#f, graze::f(a, b), narrowed(ranges::f(s, t)), x, y);
     GRAZE_ONE(recip)
     GRAZE_ONE(abs)
-    GRAZE_ONE(sign) GRAZE_ONE(ceil) GRAZE_ONE(floor) GRAZE_ONE(trunc) GRAZE_ONE(round_ties_to_even)
-        GRAZE_ONE(round_ties_to_away) GRAZE_ONE(exp) GRAZE_ONE(exp2) GRAZE_ONE(exp10) GRAZE_ONE(
-            expm1) GRAZE_ONE(log) GRAZE_ONE(log2) GRAZE_ONE(log10) GRAZE_ONE(logp1) GRAZE_ONE(sin)
-            GRAZE_ONE(cos) GRAZE_ONE(tan) GRAZE_ONE(asin) GRAZE_ONE(acos) GRAZE_ONE(atan) GRAZE_ONE(
-                sinh) GRAZE_ONE(cosh) GRAZE_ONE(tanh) GRAZE_ONE(asinh) GRAZE_ONE(acosh)
-                GRAZE_ONE(atanh) GRAZE_ONE(cbrt) GRAZE_ONE_DECORATED(cot) GRAZE_ONE_DECORATED(sec)
+    GRAZE_ONE(sign)
+    GRAZE_ONE(ceil) GRAZE_ONE(floor) GRAZE_ONE(trunc) GRAZE_ONE(round_ties_to_even) GRAZE_ONE(
+        round_ties_to_away) GRAZE_ONE(exp) GRAZE_ONE(exp2) GRAZE_ONE(exp10) GRAZE_ONE(expm1)
+        GRAZE_ONE(log) GRAZE_ONE(log2) GRAZE_ONE(log10) GRAZE_ONE(logp1) GRAZE_ONE(sin) GRAZE_ONE(
+            cos) GRAZE_ONE(tan) GRAZE_ONE(asin) GRAZE_ONE(acos) GRAZE_ONE(atan) GRAZE_ONE(sinh)
+            GRAZE_ONE(cosh) GRAZE_ONE(tanh) GRAZE_ONE(asinh) GRAZE_ONE(acosh) GRAZE_ONE(atanh)
+                GRAZE_ONE(cbrt) GRAZE_ONE_DECORATED(cot) GRAZE_ONE_DECORATED(sec)
                     GRAZE_ONE_DECORATED(csc) GRAZE_ONE_DECORATED(acot) GRAZE_ONE_DECORATED(coth)
                         GRAZE_ONE_DECORATED(sech) GRAZE_ONE_DECORATED(csch)
                             GRAZE_ONE_DECORATED(acoth) GRAZE_TWO(atan2) GRAZE_TWO(hypot)

@@ -140,7 +140,7 @@ template <class I> I no_number(hard_operands& make) { return make.coin() ? infin
 long failures = 0;
 
 template <class I>
-void judge(const char* what, const set& x, const set& y, const I& r, const set& t) {
+void judge(const char* expression, const set& x, const set& y, const I& r, const set& t) {
   const bool tightest = t ? !empty(r) && r.lower() == t->lower && r.upper() == t->upper : empty(r);
   if (tightest)
     return;
@@ -152,8 +152,8 @@ void judge(const char* what, const set& x, const set& y, const I& r, const set& 
       std::snprintf(buffer, sizeof buffer, "[%a, %a]", s->lower, s->upper);
     return std::string(buffer);
   };
-  UNSCOPED_INFO(what << " gives " << text(ends{r.lower(), r.upper()}) << ", tightest " << text(t)
-                     << ", x " << text(x) << ", y " << text(y));
+  UNSCOPED_INFO(expression << " gives " << text(ends{r.lower(), r.upper()}) << ", tightest "
+                           << text(t) << ", x " << text(x) << ", y " << text(y));
 }
 
 /// Members of a set: its finite ends, and what lies near them.

@@ -29,12 +29,12 @@ bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
 }
 
-void compare(const char* backend, const char* how, const expectation& e, std::size_t i,
+void compare(const char* backend, const char* route, const expectation& e, std::size_t i,
              double found) {
   if (same(found, e.results[i]))
     return;
   if (++failures <= 20)
-    std::printf("%s, %s: %s(%a, %a) = %a, MPFR %a\n", backend, how, operation_names[i], e.x, e.y,
+    std::printf("%s, %s: %s(%a, %a) = %a, MPFR %a\n", backend, route, operation_names[i], e.x, e.y,
                 found, e.results[i]);
 }
 

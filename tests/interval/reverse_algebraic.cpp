@@ -31,12 +31,12 @@ struct tally {
 
 /// Judges a result; on failure says what was asked.
 template <class Describe>
-bool judge(tally& count, const reverse_judge& of, const bounds& x, const bounds& result,
+bool judge(tally& count, const reverse_judge& equation, const bounds& x, const bounds& result,
            Describe describe) {
   ++count.judged;
   count.empty += result.is_empty();
   count.points += x.lo == x.hi;
-  if (of.tightest(x, result))
+  if (equation.tightest(x, result))
     return true;
   FAIL_CHECK(count.name << " " << describe() << " x " << text(x) << " = " << text(result));
   return false;
@@ -94,20 +94,20 @@ TEST_CASE("interval.reverse: mul_rev and mul_rev_to_pair are tightest",
   int failures = 0;
   for (long i = 0; i < input_count() && failures < most_failures; ++i) {
     const auto [b, c, x, n] = in.mul();
-    const reverse_judge of = of_mul(b, c);
+    const reverse_judge equation = of_mul(b, c);
     const auto describe = [&] { return "b " + text(b) + " c " + text(c); };
-    failures += !judge(count, of, x, functions::mul_rev::value(b, c, x), describe);
+    failures += !judge(count, equation, x, functions::mul_rev::value(b, c, x), describe);
 
     const auto [first, second] = functions::mul_rev_to_pair::value(b, c);
     if (second.is_empty()) {
-      failures += !judge(pairs, of, bounds::entire(), first, describe);
+      failures += !judge(pairs, equation, bounds::entire(), first, describe);
       continue;
     }
     // Two pieces: the solutions on each side of 0, which is none.
-    const bool sides = first.hi <= 0 && second.lo >= 0 && !of.is_solution(0);
+    const bool sides = first.hi <= 0 && second.lo >= 0 && !equation.is_solution(0);
     CHECK(sides);
-    failures += !judge(pairs, of, {-unbounded, 0}, first, describe) + !sides;
-    failures += !judge(pairs, of, {0, unbounded}, second, describe);
+    failures += !judge(pairs, equation, {-unbounded, 0}, first, describe) + !sides;
+    failures += !judge(pairs, equation, {0, unbounded}, second, describe);
   }
   CHECK(count.judged == input_count());
 }

@@ -25,7 +25,7 @@ template <class I> bool right() {
          product.lower() == 0x1.fffffffffffffp-1 && product.upper() == 0x1.0000000000001p+0;
 }
 
-template <class B> void work(std::atomic<int>& ready, long& wrong) {
+template <class B> void compute_beside_others(std::atomic<int>& ready, long& wrong) {
   const typename B::scope scope;
   for (++ready; ready < 3;) { // all three at once
   }
@@ -49,9 +49,9 @@ void handle(int) {
 TEST_CASE("interval.threads: each has its own mode", "[property]") {
   std::atomic<int> ready{0};
   std::array<long, 3> wrong{};
-  std::thread up([&] { work<rounding::upward>(ready, wrong[0]); });
-  std::thread split([&] { work<rounding::split>(ready, wrong[1]); });
-  work<rounding::nearest>(ready, wrong[2]);
+  std::thread up([&] { compute_beside_others<rounding::upward>(ready, wrong[0]); });
+  std::thread split([&] { compute_beside_others<rounding::split>(ready, wrong[1]); });
+  compute_beside_others<rounding::nearest>(ready, wrong[2]);
   up.join(), split.join();
   CHECK(wrong[0] == 0);
   CHECK(wrong[1] == 0);

@@ -13,11 +13,11 @@ namespace {
 
 int failures = 0;
 
-void expect(const char* backend, const char* what, double found, double expected) {
+void expect(const char* backend, const char* expression, double found, double expected) {
   if (__builtin_memcmp(&found, &expected, sizeof found) == 0)
     return;
   ++failures;
-  std::printf("%s: %s is %a, must be %a\n", backend, what, found, expected);
+  std::printf("%s: %s is %a, must be %a\n", backend, expression, found, expected);
 }
 
 template <class B> void cases() {
@@ -50,9 +50,9 @@ template <class B> void cases() {
 /// Double results that are floats where the exact ones are not, or that overflow as floats.
 template <class B> void float_cases() {
   using F = graze::float_interval<B>;
-  const auto both = [](const char* what, const F& x, double lower, double upper) {
-    expect(B::name, what, x.lower(), lower);
-    expect(B::name, what, x.upper(), upper);
+  const auto both = [](const char* expression, const F& x, double lower, double upper) {
+    expect(B::name, expression, x.lower(), lower);
+    expect(B::name, expression, x.upper(), upper);
   };
   both("1/3 of floats", F(1.0f) / F(3.0f), 0x1.555554p-2, 0x1.555556p-2);
   both("1 + 2^-60 of floats", F(1.0f) + F(0x1p-60f), 1, 0x1.000002p+0);

@@ -105,8 +105,8 @@ class Fault:
         return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:24]
 
     def words(self):
-        one = " ".join(self.right.split()), " ".join(self.faulty.split())
-        return f"{self.file}: {one[0]} -> {one[1]}"
+        texts = " ".join(self.right.split()), " ".join(self.faulty.split())
+        return f"{self.file}: {texts[0]} -> {texts[1]}"
 
 
 def row_of(group, fault):
@@ -119,21 +119,21 @@ def row_of(group, fault):
 
 def read_list(path):
     try:
-        told = tomllib.loads(pathlib.Path(path).read_text())
+        tables = tomllib.loads(pathlib.Path(path).read_text())
     except (OSError, tomllib.TOMLDecodeError) as error:
         raise BadInput(f"{path}: {error}") from None
     faults = []
-    for program in told.get("program", []):
+    for program in tables.get("program", []):
         for f in sources_of(program):
             if not (ROOT / plain(f)).exists():
                 raise BadInput(f"program {program['name']}: no file {f}")
         rows = [row_of(group, fault) for group in program["group"] for fault in group["faults"]]
         faults += [Fault(i, program, row) for i, row in enumerate(rows, 1)]
-    for row in told.get("unseen", []):
+    for row in tables.get("unseen", []):
         text = (ROOT / row["file"]).read_text() if (ROOT / row["file"]).exists() else ""
         if text.count(row["right"]) != 1 or not row.get("reason"):
             raise BadInput(f"unseen: {row['file']} has {text.count(row['right'])} times, not once: {row['right']!r}")
-    return faults, len(told.get("unseen", []))
+    return faults, len(tables.get("unseen", []))
 
 
 def rounds(faults):
@@ -143,10 +143,10 @@ def rounds(faults):
         if fault.alone:
             lists.append([fault])
             continue
-        for one in lists:
-            if not one[0].alone and all(f.file != fault.file or fault.end <= f.begin or f.end <= fault.begin
-                                        for f in one):
-                one.append(fault)
+        for batch in lists:
+            if not batch[0].alone and all(f.file != fault.file or fault.end <= f.begin or f.end <= fault.begin
+                                          for f in batch):
+                batch.append(fault)
                 break
         else:
             lists.append([fault])
@@ -177,11 +177,11 @@ class Tree:
 
     def lines(self, target):
         if target not in self.links:
-            told = subprocess.run(["ninja", "-C", str(self.build), "-t", "commands", target],
-                                  capture_output=True, text=True)
-            if told.returncode != 0:
+            commands = subprocess.run(["ninja", "-C", str(self.build), "-t", "commands", target],
+                                      capture_output=True, text=True)
+            if commands.returncode != 0:
                 raise BadInput(f"no target {target} in {self.build}")
-            self.links[target] = told.stdout.splitlines()
+            self.links[target] = commands.stdout.splitlines()
         return self.links[target]
 
     def at(self, source):
@@ -307,19 +307,19 @@ class Round:
     def decide(self, fault):
         """The fault's record."""
         if fault.test not in self.control:
-            failed, took, how = False, 0, ""
+            failed, took, outcome = False, 0, ""
             if not fault.alone:
-                failed, took, how = self.run(fault.test, 0, 600)
-            if failed or how in ("skipped", "no such test"):
-                raise BadInput(f"the control of {self.program['name']}, {fault.test!r}: {how}")
+                failed, took, outcome = self.run(fault.test, 0, 600)
+            if failed or outcome in ("skipped", "no such test"):
+                raise BadInput(f"the control of {self.program['name']}, {fault.test!r}: {outcome}")
             self.control[fault.test] = took
         limit = max(LEAST_SECONDS, 8 * self.control[fault.test])
         if fault.alone:
             limit = 120
-        caught, took, how = self.run(fault.test, 0 if fault.alone else fault.number, limit)
-        if fault.alone and how in ("skipped", "no such test"):
-            raise BadInput(f"{self.program['name']}, {fault.test!r}: {how}")
-        return {"caught": caught, "how": how if caught else "passes", "seconds": round(took, 2)}
+        caught, took, outcome = self.run(fault.test, 0 if fault.alone else fault.number, limit)
+        if fault.alone and outcome in ("skipped", "no such test"):
+            raise BadInput(f"{self.program['name']}, {fault.test!r}: {outcome}")
+        return {"caught": caught, "how": outcome if caught else "passes", "seconds": round(took, 2)}
 
 
 class Report:
@@ -366,7 +366,7 @@ class Report:
                 print(f"  {fault.words()}\n    by {fault.program['name']}, {fault.test}")
 
 
-def work(options):
+def run_list(options):
     faults, unseen = read_list(options.list)
     if options.only:
         wanted = re.compile(options.only, re.M)
@@ -400,9 +400,9 @@ def work(options):
     for fault in left:
         by_program.setdefault(fault.program["name"], []).append(fault)
     all_rounds = []
-    for name, of in by_program.items():
-        for i, one in enumerate(rounds(of)):
-            all_rounds.append(Round(tree, out / f"{name}-{i}", of[0].program, one, one))
+    for name, program_faults in by_program.items():
+        for i, batch in enumerate(rounds(program_faults)):
+            all_rounds.append(Round(tree, out / f"{name}-{i}", program_faults[0].program, batch, batch))
     stop, writing = threading.Event(), threading.Lock()
 
     def one_round(r):
@@ -451,7 +451,7 @@ def main():
             raise BadInput("--build is needed")
         if options.jobs < 1:
             raise BadInput("--jobs is less than 1")
-        return work(options)
+        return run_list(options)
     except BadInput as error:
         print(f"run_faults.py: {' '.join(str(error).split())}", file=sys.stderr)
         return 2

@@ -18,17 +18,17 @@ inline bool runs(batch::path p) {
 /// Calls check(path) for each path that runs here. Says once which do not, in words that leave
 /// ctest the verdict on those that do.
 template <class Check> void for_each_path(Check check) {
-  static bool said = false;
+  static bool reported = false;
   for (const batch::path p : batch::paths) {
     if (const auto reason = batch::refusal(p)) {
-      if (!said)
+      if (!reported)
         std::printf("graze: path %s skipped: %s\n", batch::name(p), reason->c_str());
       continue;
     }
     INFO(batch::name(p));
     check(p);
   }
-  said = true;
+  reported = true;
 }
 
 } // namespace graze::test

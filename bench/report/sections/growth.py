@@ -32,15 +32,15 @@ def render(context, start, arguments, core=None):
     time of the process less that of its start, where that is less: others' work on the core is left out. By the clock
     alone where start is None."""
     program = context.needed("graze-render")
-    command = [program, *arguments, "--json", "-o", context.work / "growth.png"]
+    command = [program, *arguments, "--json", "-o", context.scratch / "growth.png"]
     usage = context.measured(command, core=core)
-    told = json.loads(usage.stdout.splitlines()[-1])
-    seconds = told["seconds"] + told["octree_seconds"]
+    result = json.loads(usage.stdout.splitlines()[-1])
+    seconds = result["seconds"] + result["octree_seconds"]
     if start is not None:
         seconds = min(seconds, max(usage.processor - start, 1e-4))
-    return {"seconds": seconds, "peak_bytes": usage.peak_bytes, "hits": told["hits"],
-            "undecided": told["undecided"], "pixels": told["pixels"],
-            "steps_per_ray": told["octants_per_ray"]}
+    return {"seconds": seconds, "peak_bytes": usage.peak_bytes, "hits": result["hits"],
+            "undecided": result["undecided"], "pixels": result["pixels"],
+            "steps_per_ray": result["octants_per_ray"]}
 
 
 def in_turn(cases, run, repetitions, least=3, patience=1.0):
@@ -54,7 +54,7 @@ def in_turn(cases, run, repetitions, least=3, patience=1.0):
                 continue
             last[k] = run(case)
             times[k].append(last[k]["seconds"])
-    return [{**case, **told, "seconds": statistics.spread(t)} for case, told, t in zip(cases, last, times)]
+    return [{**case, **result, "seconds": statistics.spread(t)} for case, result, t in zip(cases, last, times)]
 
 
 def levels_of_descent(context, start):
@@ -74,9 +74,9 @@ def octree_levels(context, _start):
 
     def run(case):
         usage = context.measured([program, "--scene", case["scene"], "--level", case["level"], "--threads", "1",
-                                  "--json", "-o", context.work / "growth.octree"])
-        told = json.loads(usage.stdout.splitlines()[-1])
-        return {key: told[key] for key in ("seconds", "leaves", "nodes", "bytes")} | {"peak_bytes": usage.peak_bytes}
+                                  "--json", "-o", context.scratch / "growth.octree"])
+        result = json.loads(usage.stdout.splitlines()[-1])
+        return {key: result[key] for key in ("seconds", "leaves", "nodes", "bytes")} | {"peak_bytes": usage.peak_bytes}
 
     last = context.share(12, 10)
     scenes = context.share(["tanglecube", "spheres", "holesrot"], ["tanglecube"])
@@ -153,8 +153,8 @@ def campaign_threads(context, _start):
     def run(case):
         usage = context.measured([program, "run", "--traversal", "sound", "--level", 50, "--seed", 22, "--rays", rays,
                                   "--threads", case["threads"], "--json"], core=on[case["threads"]])
-        told = json.loads(usage.stdout)
-        return {key: told[key] for key in ("seconds", "rays", "misses")} | {"peak_bytes": usage.peak_bytes}
+        result = json.loads(usage.stdout)
+        return {key: result[key] for key in ("seconds", "rays", "misses")} | {"peak_bytes": usage.peak_bytes}
 
     return in_turn([{"threads": n} for n in on], run, context.share(5, 2))
 
@@ -168,7 +168,7 @@ def spread_lists(rows, scale=1.0):
             for name, key in (("y", "median"), ("y_low", "low"), ("y_high", "high"))}
 
 
-def by(rows, key):
+def grouped_by(rows, key):
     return {value: [r for r in rows if r[key] == value] for value in dict.fromkeys(r[key] for r in rows)}
 
 
@@ -180,9 +180,9 @@ def ns_rows(rows):
 
 def nl_series(data):
     hits = [r for r in data["nl"]["rows"] if r["what"] == "first_hit"]
-    against_nl = by([r for r in hits if r["octree_level"] == 9], "path")
+    against_nl = grouped_by([r for r in hits if r["octree_level"] == 9], "path")
     stored = sorted((r for r in hits if r["levels"] == 30), key=lambda r: r["octree_level"])
-    return against_nl, by(stored, "path")
+    return against_nl, grouped_by(stored, "path")
 
 
 def nl_fits(data):
@@ -201,18 +201,19 @@ def plus_minus(value, error, digits=2):
     return f"{value:.{digits}f}" + (f" ± {error:.{digits}f}" if error is not None else "")
 
 
-def exponent_row(what, against, xs, ys, said):
+def exponent_row(title, against, xs, ys, expected):
     """A power fitted to the larger half of the sizes, four at least: the smaller ones are mostly the fixed cost."""
     kept = sorted(zip(xs, ys))[-max(4, (len(xs) + 1) // 2):]
     fit = statistics.exponent(*zip(*kept))
-    return {"what": what, "against": against, "exponent": fit["exponent"], "error": fit["error"],
-            "r_squared": fit["r_squared"], "range": f"{kept[0][0]} to {kept[-1][0]}", "points": len(kept), "said": said}
+    return {"what": title, "against": against, "exponent": fit["exponent"], "error": fit["error"],
+            "r_squared": fit["r_squared"], "range": f"{kept[0][0]} to {kept[-1][0]}", "points": len(kept),
+            "said": expected}
 
 
 def exponents(data):
     """Every fitted power."""
     found = []
-    for scene, rows in by(data["octree"], "scene").items():
+    for scene, rows in grouped_by(data["octree"], "scene").items():
         sides = [2 ** r["level"] for r in rows]
         found.append(exponent_row(f"{scene}: octants of the last level", "octants a side, 2^level", sides,
                                   [r["leaves"] for r in rows], "2: a surface"))
@@ -221,23 +222,23 @@ def exponents(data):
                                   "1: the same for each octant"))
         found.append(exponent_row(f"{scene}: bytes of the octree's file", "octants of the last level",
                                   [r["leaves"] for r in rows], [r["bytes"] for r in rows], "1"))
-    for part, key, against, said in (("pixels", "pixels", "pixels", "1: the same for each ray"),
-                                     ("spheres", "surfaces", "balls", "1, were each ball asked at each step"),
-                                     ("terms", "terms", "terms", "1, were each term as dear as the first")):
-        for method, rows in by(data[part], "method").items():
+    for part, key, against, expected in (("pixels", "pixels", "pixels", "1: the same for each ray"),
+                                         ("spheres", "surfaces", "balls", "1, were each ball asked at each step"),
+                                         ("terms", "terms", "terms", "1, were each term as dear as the first")):
+        for method, rows in grouped_by(data[part], "method").items():
             found.append(exponent_row(f"{method}: time of a picture", against, [r[key] for r in rows],
-                                      [r["seconds"]["median"] for r in rows], said))
+                                      [r["seconds"]["median"] for r in rows], expected))
     return found
 
 
 def speed_ups(data):
     """[(what, threads, speed-up, share of the ideal)]."""
     found = []
-    series = [(f"picture, {method}", rows) for method, rows in by(data["threads"], "method").items()]
-    for what, rows in [*series, ("campaign with its exact judge", data["campaign"])]:
-        one = rows[0]["seconds"]["median"]
-        found += [(what, r["threads"], one / r["seconds"]["median"],
-                   one / r["seconds"]["median"] / r["threads"]) for r in rows if r["threads"] > 1]
+    series = [(f"picture, {method}", rows) for method, rows in grouped_by(data["threads"], "method").items()]
+    for title, rows in [*series, ("campaign with its exact judge", data["campaign"])]:
+        single = rows[0]["seconds"]["median"]
+        found += [(title, r["threads"], single / r["seconds"]["median"],
+                   single / r["seconds"]["median"] / r["threads"]) for r in rows if r["threads"] > 1]
     return found
 
 
@@ -286,11 +287,11 @@ def show_nl(data):
                f"{stored_words(stored)}")
     rows = [[r["levels"], steps_of(against_nl, r["levels"]), f"{r['seconds']['median']:.3f}", size_of(r["peak_bytes"])]
             for r in data["nl"]["memory"]]
-    told = (f"Pictures by the descent, {data['nl']['memory'][0]['pixels']} pixels: peak memory lies between "
+    note = (f"Pictures by the descent, {data['nl']['memory'][0]['pixels']} pixels: peak memory lies between "
             f"{size_of(min(memory))} and {size_of(max(memory))} for every NL, since levels below the stored octree are "
             "evaluated, not stored.")
     return [page.heading("NL and the stored octree"), page.figure(svg, caption),
-            page.table(["NL", "octants opened a ray", "picture, s", "peak memory"], rows, told)]
+            page.table(["NL", "octants opened a ray", "picture, s", "peak memory"], rows, note)]
 
 
 def stored_words(stored):
@@ -309,7 +310,7 @@ def steps_of(groups, levels):
 
 def show_octree(data):
     series, memory = [], []
-    for scene, rows in by(data["octree"], "scene").items():
+    for scene, rows in grouped_by(data["octree"], "scene").items():
         look = SCENES_LOOK.get(scene, {})
         series.append({"library": scene, "x": [r["leaves"] for r in rows], **spread_lists(rows, 1e3), **look})
         seen = [(r["leaves"], m) for r, m in zip(rows, above(data, rows)) if m >= 1]
@@ -324,7 +325,7 @@ def show_octree(data):
          "log_x": True, "log_y": True, "title": "time"},
         {"series": memory, "x_label": "octants of the last level, number", "y_label": "memory, MiB", "log_x": True,
          "log_y": True, "title": "memory"}])
-    deepest = {scene: rows[-1] for scene, rows in by(data["octree"], "scene").items()}
+    deepest = {scene: rows[-1] for scene, rows in grouped_by(data["octree"], "scene").items()}
     words = "; ".join(f"{scene} {r['seconds']['median'] / r['leaves'] * 1e9:.0f} ns and "
                       f"{r['bytes'] / r['leaves']:.2f} bytes an octant" for scene, r in deepest.items())
     levels = [r["level"] for r in data["octree"]]
@@ -340,14 +341,14 @@ SCENES_LOOK = {"tanglecube": {"colour": "#0b5fa5", "marker": "o"}, "spheres": {"
 
 
 def method_series(rows, key, scale=1.0):
-    return [{"library": method, "x": [r[key] for r in here], **spread_lists(here, scale)}
-            for method, here in by(rows, "method").items()]
+    return [{"library": method, "x": [r[key] for r in group], **spread_lists(group, scale)}
+            for method, group in grouped_by(rows, "method").items()]
 
 
 def show_pixels(data):
-    rows = by(data["pixels"], "method")
-    memory = [{"library": m, "x": [r["pixels"] for r in here], "y": [max(0.0, m) for m in above(data, here)]}
-              for m, here in rows.items()]
+    rows = grouped_by(data["pixels"], "method")
+    memory = [{"library": m, "x": [r["pixels"] for r in group], "y": [max(0.0, m) for m in above(data, group)]}
+              for m, group in rows.items()]
     ticks = {r["pixels"]: f"{r['size']}²" for r in data["pixels"]}
     svg = figures.line_panels([
         {"series": method_series(data["pixels"], "pixels"), "x_label": "pixels of the picture, number",
@@ -355,7 +356,7 @@ def show_pixels(data):
         {"series": memory, "x_label": "pixels of the picture, number", "y_label": "peak memory above the start's, MiB",
          "log_x": True, "title": "memory", "x_ticks": ticks}])
     ratio = rows["descent"][-1]["seconds"]["median"] / rows["certified"][-1]["seconds"]["median"]
-    lines = {m: memory_line(here, "pixels") for m, here in rows.items()}
+    lines = {m: memory_line(group, "pixels") for m, group in rows.items()}
     words = ", ".join(f"{m} {line['slope']:.0f} bytes a pixel above {size_of(line['intercept'])}"
                       for m, line in lines.items())
     largest = rows["certified"][-1]["size"]
@@ -371,7 +372,7 @@ def show_formulas(data):
                                     ("terms", "terms", "terms added to the ball, number", "one polynomial")):
         panels.append({"series": method_series(data[part], key), "x_label": label, "y_label": "time of a picture, s",
                        "log_x": True, "log_y": True, "title": title})
-        for method, rows in by(data[part], "method").items():
+        for method, rows in grouped_by(data[part], "method").items():
             growth = rows[-1]["seconds"]["median"] / rows[0]["seconds"]["median"]
             words.append(f"{rows[-1][key]} {'terms' if part == 'terms' else 'balls'} take {growth:.1f} times as long "
                          f"as {rows[0][key]} ({method})")
@@ -385,7 +386,7 @@ def show_formulas(data):
 
 
 def show_threads(data):
-    rows = [[what, n, f"{up:.2f}", f"{100 * share:.0f} %"] for what, n, up, share in speed_ups(data)]
+    rows = [[title, n, f"{up:.2f}", f"{100 * share:.0f} %"] for title, n, up, share in speed_ups(data)]
     cores = data["cores"]
     only = f"This machine has {cores} core{'s' if cores > 1 else ''} for it: more threads were not measured."
     blocks = [page.heading("Threads")]
@@ -393,9 +394,9 @@ def show_threads(data):
         return [*blocks, page.text(f"<p>{only}</p>")]
     most = max(int(r[1]) for r in rows)
     series = []
-    for what in dict.fromkeys(r[0] for r in rows):
-        points = [(1, 1.0)] + [(n, up) for w, n, up, _ in speed_ups(data) if w == what]
-        series.append({"library": what.split()[-1] if "picture" in what else what, "label": what,
+    for title in dict.fromkeys(r[0] for r in rows):
+        points = [(1, 1.0)] + [(n, up) for w, n, up, _ in speed_ups(data) if w == title]
+        series.append({"library": title.split()[-1] if "picture" in title else title, "label": title,
                        "x": [n for n, _ in points], "y": [up for _, up in points]})
     series.append({"library": "ideal", "x": [1, most], "y": [1, most], "dashed": True, "colour": "#444"})
     svg = figures.lines(series, "threads, number", "speed-up, times one thread", height=360,

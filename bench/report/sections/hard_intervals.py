@@ -170,11 +170,12 @@ def summary(data):
 def show(data):
     names = libraries(data)
     rows, answers = [], []
-    for formula, of in by_expression(data).items():
-        any_of = next(iter(of.values()))
+    for formula, by_library in by_expression(data).items():
+        any_of = next(iter(by_library.values()))
         rows.append([page.Raw(f"<b>{page.escape(any_of['expression'])}</b><br>{page.escape(formula)}"),
-                     *(cell(of.get(x)) for x in names)])
-        answers.append([formula, true_text(any_of), *(interval_text(of.get(x)) for x in ("interval<>", "double"))])
+                     *(cell(by_library.get(x)) for x in names)])
+        answers.append([formula, true_text(any_of), *(interval_text(by_library.get(x))
+                                                    for x in ("interval<>", "double"))])
     heads = ["expression", *map(name, names)]
     return [
         page.text("<p>Each expression is one template, evaluated by every library as it stands, constants enclosed "

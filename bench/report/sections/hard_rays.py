@@ -29,10 +29,10 @@ FAULTS = ("crash", "hang", "exception", "nan", "malformed")
 
 def measure(context):
     fuzz = context.needed("graze-fuzz")
-    there = {name for group in traversals.names(context.run([fuzz, "list"])).values() for name in group}
+    offered = {name for group in traversals.names(context.run([fuzz, "list"])).values() for name in group}
     answers, left_out = {}, []
     for traversal in ASKED:
-        if traversal not in there:
+        if traversal not in offered:
             library = traversal.split("-")[0]
             context.missing(ASKED[traversal].split(",")[0], traversals.ADAPTERS.get(library, ""), "hard rays")
         elif context.quick and traversal in SLOW:
@@ -50,11 +50,11 @@ def replay(context, fuzz, traversal):
     """(case, judged line) of every ray; the recorded ones are not asked of what has no level 50."""
     files = [MADE] if traversals.beyond(traversal, 50) else [MADE, KEPT]
     lines = [line for name in files for line in (context.root / name).read_text().splitlines() if line.strip()]
-    rays = context.work / "hard_rays.jsonl"
+    rays = context.scratch / "hard_rays.jsonl"
     rays.write_text("\n".join(lines) + "\n")
     judged = context.json_lines([fuzz, "replay", rays, "--traversal", traversal, "--timeout", 0.5, "--json"],
                                 codes=(0, 1), timeout=120)
-    return [(json.loads(line).get("case", RECORDED), told) for line, told in zip(lines, judged, strict=True)]
+    return [(json.loads(line).get("case", RECORDED), judgement) for line, judgement in zip(lines, judged, strict=True)]
 
 
 def octants(line):
@@ -91,8 +91,8 @@ def expected(context, fuzz):
     for case, line in replay(context, fuzz, "rational"):
         c = cases.setdefault(case, {"rays": 0, "touches": 0, "owns": 0, "crosses": 0})
         c["rays"] += 1
-        for what in ("touches", "owns", "crosses"):
-            c[what] += sum(o[what] for o in octants(line))
+        for relation in ("touches", "owns", "crosses"):
+            c[relation] += sum(o[relation] for o in octants(line))
     return cases
 
 
@@ -213,16 +213,16 @@ def hit_table(data):
     rays = {}
     for hit in data["hits"]:
         rays.setdefault((hit["surface"], hit["ray"]), {})[hit["traversal"]] = hit
-    rows = [[surface, ray, root_word(next(iter(of.values()))),
-             *(hit_word(of[t]) if t in of else "-" for t in OUTCOMES)] for (surface, ray), of in rays.items()]
-    verdicts = {t: [of[t]["verdict"] for of in rays.values() if t in of] for t in OUTCOMES}
-    told = ", ".join(f"{t} {verdicts[t].count('right')}" for t in OUTCOMES)
+    rows = [[surface, ray, root_word(next(iter(hits.values()))),
+             *(hit_word(hits[t]) if t in hits else "-" for t in OUTCOMES)] for (surface, ray), hits in rays.items()]
+    verdicts = {t: [hits[t]["verdict"] for hits in rays.values() if t in hits] for t in OUTCOMES}
+    right = ", ".join(f"{t} {verdicts[t].count('right')}" for t in OUTCOMES)
     wrong = {t: sum(v not in ("right", "undecided") for v in verdicts[t]) for t in OUTCOMES}
     lost = ", ".join(f"{t} {n}" for t, n in wrong.items() if n) or "none"
     return (["surface", "ray", "exact first root", *OUTCOMES], rows,
             "First hits on hard surfaces, with the width in t of what is told of the first root. Exact roots are by "
             "Sturm's theorem, those of the asterisks by definition (the origin is on them; on the axis and in y = 0 "
             "nothing else is). Undecided: neither a root nor its absence is proven, and a first root, if there is one, "
-            f"is in the interval told, which is checked here. Right of {len(rays)} rays: {told}. Wrong: {lost}. "
+            f"is in the interval told, which is checked here. Right of {len(rays)} rays: {right}. Wrong: {lost}. "
             f"certified goes along the ray; the others descend to level {data['hits_level']}; what published, plain, "
             "gargantini and revelles say is proven by nothing, even where it is right.")

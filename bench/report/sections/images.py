@@ -55,7 +55,7 @@ def measure(context):
 # graze's methods, the paper's and its peers'
 
 def truth_file(context, name, size):
-    return context.work / f"{name}.{size}.roots"
+    return context.scratch / f"{name}.{size}.roots"
 
 
 def graze_scene(context, program, name, size):
@@ -99,19 +99,19 @@ def povray_scene(context, name, size, accuracies, gradients):
 
 def povray_run(context, text, image, size):
     """What povray tells of a scene. It may write where it runs."""
-    (context.work / "scene.pov").write_text(text)
+    (context.scratch / "scene.pov").write_text(text)
     command = shlex.join(povray.pov_command("scene.pov", image, size))
     return context.run(["sh", "-c", f"cd {shlex.quote(str(context.work))} && exec {command} 2>&1"])
 
 
 def povray_render(context, name, size, row):
     """CPU-seconds of tracing. The row gets what the picture's mask has."""
-    told = povray_run(context, povray.pov_scene(name, False, row["max_gradient"], row["accuracy"]), "pov.ppm", size)
-    seconds = povray.pov_seconds(told)
+    output = povray_run(context, povray.pov_scene(name, False, row["max_gradient"], row["accuracy"]), "pov.ppm", size)
+    seconds = povray.pov_seconds(output)
     if seconds is None:
         raise MeasurementFailed("povray does not tell its CPU-seconds of tracing")
-    mask = povray.pov_mask(context.work / "pov.ppm", size)
-    row.update(judged_mask(mask, roots(context, name, size)), povray_warns="max_gradient to get a proper" in told)
+    mask = povray.pov_mask(context.scratch / "pov.ppm", size)
+    row.update(judged_mask(mask, roots(context, name, size)), povray_warns="max_gradient to get a proper" in output)
     return seconds
 
 
@@ -125,7 +125,7 @@ def povray_hits(context, name, size, row):
     """Depth errors of where trace() meets the surface, in a run that is not timed."""
     scene = povray.pov_hits_scene(name, row["max_gradient"], row["accuracy"], size, "hits.txt")
     povray_run(context, scene, "no.ppm", 4)
-    lines = (context.work / "hits.txt").read_text().splitlines()
+    lines = (context.scratch / "hits.txt").read_text().splitlines()
     truth, scale, errors, k = roots(context, name, size), povray.SCENES[name][1], [], 0
     if len(lines) != size * size:
         raise MeasurementFailed(f"povray's trace() told of {len(lines)} pixels")
@@ -181,7 +181,7 @@ def find_cargo():
 
 def fidget_scene(context, program, fidget, name, size):
     """fidget's height map, orthographic, and certified casting of the scene's picture, in turn."""
-    depths, seconds, certified = context.work / "fidget.depths", [], {}
+    depths, seconds, certified = context.scratch / "fidget.depths", [], {}
     for _ in range(3):
         seconds += context.json_lines([fidget, name, size, 5, depths])[0]["seconds"]
         for row in context.json_lines([program, "images", "--json", "--scene", name, "--size", size, "--truth",

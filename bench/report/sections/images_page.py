@@ -64,18 +64,18 @@ def show(data):
 
 def summary(data):
     """Sentences for the page's top."""
-    told, scenes = [], data["scenes"]
+    notes, scenes = [], data["scenes"]
     ratios = {name: povray_ratio(scene) for name, scene in scenes.items() if povray_ratio(scene)}
     if ratios:
         low, high = min(ratios, key=ratios.get), max(ratios, key=ratios.get)
         mistaken = sum(wrong(best(scene, CERTIFIED, 0)) for scene in scenes.values())
         span = f"{ratios[low]:.0f} ({low})" + (f" to {ratios[high]:.0f} ({high})" if high != low else "")
-        told.append(f"Images: certified casting to some ulps is {span} times as fast as POV-Ray's isosurface at its "
-                    f"finest accuracy, with {pixels(mistaken)}." if ratios[low] > 1 else
-                    f"Images: POV-Ray's isosurface is faster than certified casting on {low}.")
+        notes.append(f"Images: certified casting to some ulps is {span} times as fast as POV-Ray's isosurface at its "
+                     f"finest accuracy, with {pixels(mistaken)}." if ratios[low] > 1 else
+                     f"Images: POV-Ray's isosurface is faster than certified casting on {low}.")
     for entry in data["fidget"][:1]:
-        told.append(fidget_words(entry))
-    return told
+        notes.append(fidget_words(entry))
+    return notes
 
 
 def about(data):
@@ -271,17 +271,17 @@ def wrong_caption(scenes, names):
         sound = [r for r in scene["rows"] if r["method"] in SOUND + CERTIFIED + ["split", "exact"]]
         worst = max(sound, key=wrong)
         count = pixels(wrong(worst)) + (f" ({worst['method']})" if wrong(worst) else " at any NL")
-        told = f"{name}: the sound methods of graze have {count}"
+        note = f"{name}: the sound methods of graze have {count}"
         small = [r for r in scene["povray"] if not r["correct"]]
         if small:
             losses = ", ".join(f"{r['max_gradient']:g} ({loss(r)})" for r in small)
-            told += (f"; POV-Ray, told a max_gradient of {losses} instead of {scene['povray'][0]['max_gradient']:g}, "
+            note += (f"; POV-Ray, told a max_gradient of {losses} instead of {scene['povray'][0]['max_gradient']:g}, "
                      "says nothing of it in its picture")
         right = [r for r in scene["povray"] if r["correct"] and wrong(r)]
         if right:
-            told += "; with the correct one it has wrong pixels at accuracy " + ", ".join(
+            note += "; with the correct one it has wrong pixels at accuracy " + ", ".join(
                 f"{power(r['accuracy'])} ({wrong(r)})" for r in right)
-        words.append(told + ".")
+        words.append(note + ".")
     return " ".join(words)
 
 
@@ -351,13 +351,13 @@ def mistakes_table(scenes):
     rows = [[name, ", ".join(methods), levels or "-", hits, *map(marked, counts), undecided, error]
             for (name, levels, hits, counts, undecided, error), methods in groups.items()]
     unsound = sorted({m for key, methods in groups.items() if any(key[3]) for m in methods})
-    told = f"Only {', '.join(unsound)} make mistakes" if unsound else "No method makes a mistake"
+    verdict = f"Only {', '.join(unsound)} make mistakes" if unsound else "No method makes a mistake"
     if set(unsound) & set(SOUND + CERTIFIED + ["split", "exact"]):
-        told = f"Mistakes are made by {', '.join(unsound)}, some of which must make none"
+        verdict = f"Mistakes are made by {', '.join(unsound)}, some of which must make none"
     return page.table(["scene", "method", "NL", "hits", "wrongly hit", "wrongly missed",
                        "first root outside the interval", "undecided", "median depth error"], rows,
                       "Methods and NL with wrong or undecided pixels, or hits whose interval of t does not hold the "
-                      f"first root. {told}; an undecided pixel says so, and is none.")
+                      f"first root. {verdict}; an undecided pixel says so, and is none.")
 
 
 def paper_table(scenes):
@@ -378,13 +378,13 @@ def paper_table(scenes):
                          f"{rate * then / 512 ** 2:.0f}" if then else "-", r["hits"], r["undecided"],
                          marked(wrong(r)), r.get("other_octants", "-")])
     sizes = ", ".join(dict.fromkeys(f"{s['size']} x {s['size']}" for s in scenes.values()))
-    told = (f"By rays a second today's columns are {min(ratios)[0]:.0f} ({min(ratios)[1]}) to {max(ratios)[0]:.0f} "
+    note = (f"By rays a second today's columns are {min(ratios)[0]:.0f} ({min(ratios)[1]}) to {max(ratios)[0]:.0f} "
             f"times ({max(ratios)[1]}) the paper's. " if ratios else "")
     return page.table(["scene", "column", "paper, s", "paper, rays/s", "today, s", "rays/s", "times", "hits",
                        "undecided", "wrong pixels", "first octant not that of exact"], rows,
                       "The paper's Table 1 today: ray casting, octree to level 9, NL 30. The paper's seconds are of "
                       "whole pictures of 512 x 512 on a Pentium 4 of 2.4 GHz, and some of its cells are lost; today's "
-                      f"are of first hits of {sizes} rays. {told}upward, avx512 and exact are not the paper's.")
+                      f"are of first hits of {sizes} rays. {note}upward, avx512 and exact are not the paper's.")
 
 
 def level_table(scenes):
@@ -396,9 +396,9 @@ def level_table(scenes):
                              scientific(r["depth"][2]), r["beyond"], scientific(r["octant"][0]), r["compared"]])
                 if 20 <= r["levels"] <= 40:
                     follows.append(r["depth"][0] / r["half_diagonal"])
-    told = f"From NL 20 to 40 the median is {min(follows):.2f} to {max(follows):.2f} of it. " if follows else ""
+    note = f"From NL 20 to 40 the median is {min(follows):.2f} to {max(follows):.2f} of it. " if follows else ""
     return page.table(["scene", "NL", "sqrt(3) 2^(-NL-1) of the root", "depth error: median", "greatest",
                        "pixels beyond", "first octant's middle: median", "pixels"], rows,
-                      f"The descent's error against NL, beside the paper's: half the diagonal of an octant. {told}The "
+                      f"The descent's error against NL, beside the paper's: half the diagonal of an octant. {note}The "
                       "first octant's middle, the paper's answer, is further off: the surface may meet that octant "
                       "beside the ray.")

@@ -32,7 +32,7 @@ def measure(context):
     judged = context.json_lines(judge, timeout=context.share(600, 120))
     missing, verdicts = judged[0]["missing"], judged[1:]
     tell_missing(context, missing)
-    out = context.work / "interval_bench.json"
+    out = context.scratch / "interval_bench.json"
     bench = [context.needed("interval_bench"), f"--benchmark_repetitions={repetitions}",
              f"--benchmark_min_time={context.share(0.05, 0.004)}", "--benchmark_enable_random_interleaving=true",
              f"--benchmark_out={out}", "--benchmark_out_format=json"]
@@ -94,7 +94,7 @@ class Results:
 
     def all_sets(self, library, operation=None):
         """The verdicts on every set."""
-        return [v for (who, what, _), v in self.verdicts.items() if who == library and operation in (None, what)]
+        return [v for (peer, timed, _), v in self.verdicts.items() if peer == library and operation in (None, timed)]
 
     def has(self, library, operation):
         return self.time(library, operation) is not None and self.verdict(library, operation) is not None
@@ -168,7 +168,7 @@ def rivals_text(results, with_unsound=True):
     if unsound and with_unsound:
         libraries = dict.fromkeys(library for library, _ in unsound)
         words.append("Faster, but unsound: " + "; ".join(
-            f"{library} on {', '.join(o for who, o in unsound if who == library)}" for library in libraries) + ".")
+            f"{library} on {', '.join(o for peer, o in unsound if peer == library)}" for library in libraries) + ".")
     return " ".join(words)
 
 

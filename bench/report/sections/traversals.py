@@ -37,12 +37,12 @@ def measure(context):
     fuzz = str(context.needed("graze-fuzz"))
     listed = names(context.run([fuzz, "list"]))
     generators = [name for name in listed["generators"] if name != "random"]
-    there = {name for group in listed.values() for name in group}
-    asked = dict.fromkeys((c["traversal"], c["path"]) for c in timing["contestants"])
-    asked.update(dict.fromkeys((name, "") for name in timing["untimed"]))
+    offered = {name for group in listed.values() for name in group}
+    wanted = dict.fromkeys((c["traversal"], c["path"]) for c in timing["contestants"])
+    wanted.update(dict.fromkeys((name, "") for name in timing["untimed"]))
     campaigns, unfinished = [], []
-    for traversal, path in asked:
-        if traversal not in there:
+    for traversal, path in wanted:
+        if traversal not in offered:
             continue
         for level in LEVELS:
             context.progress(f"{traversal} {path}".rstrip() + f" at level {level}")
@@ -86,12 +86,12 @@ def campaign(context, fuzz, traversal, path, level, generators):
     command = [fuzz, "run", "--traversal", traversal, "--level", level, "--rays", rays, "--seed", 2026, "--generator",
                ",".join(generators), "--threads", 1, "--timeout", 0.5, "--no-shrink", "--json"]
     chosen = ["env", f"GRAZE_BATCH_PATH={path}"] if path else []
-    told = json.loads(context.run([*chosen, *command], codes=(0, 1), timeout=context.share(200, 40)))
+    result = json.loads(context.run([*chosen, *command], codes=(0, 1), timeout=context.share(200, 40)))
     kept = ("traversal", "promise", "level", "rays", "declined", "faults", "rays_with_miss", "crossed_missed",
             "gross_missed", "visited", "spurious", "far_spurious", "finding", "seconds")
-    return {**{key: told[key] for key in kept}, "path": path,
+    return {**{key: result[key] for key in kept}, "path": path,
             "by_generator": {g["generator"]: [g["rays_with_miss"], g["rays"] - g["declined"] - g["faults"]]
-                             for g in told["generators"]},
+                             for g in result["generators"]},
             "command": " ".join([*chosen, "graze-fuzz", *map(str, command[1:])])}
 
 
@@ -140,9 +140,9 @@ def spurious(campaign):
     return campaign["spurious"] / judged(campaign) if taken(campaign) else None
 
 
-def first(row, of):
+def first(row, measure):
     """`of` the campaign at the first level, None where there is none."""
-    return of(row.at[LEVELS[0]]) if LEVELS[0] in row.at else None
+    return measure(row.at[LEVELS[0]]) if LEVELS[0] in row.at else None
 
 
 def percent(value):
@@ -172,10 +172,10 @@ def note(row):
     return label(row) if row.kind == "paper" else parts[-1]
 
 
-def points(rows, of):
+def points(rows, measure):
     found = []
     for row in rows:
-        y = first(row, of)
+        y = first(row, measure)
         if row.rates is None or y is None:
             continue
         found.append({"library": label(row), "x": row.rates["median"], "x_low": row.rates["low"],
@@ -238,7 +238,7 @@ def best(rows):
     return max((row for row in rows if row.rates), key=lambda row: row.rates["median"], default=None)
 
 
-def told(rows):
+def listed_with_misses(rows):
     """Names with their share of misses, the least first; of many the first and the last."""
     rows = sorted(rows, key=lambda row: first(row, share))
     words = [f"“{row.name}” ({percent(first(row, share))})" for row in rows]
@@ -270,7 +270,7 @@ def speed_sentences(rows):
         quicker = [row for row in others if row.rates["median"] > exact_scalar.rates["median"]]
         sentences.append(f"Faster than graze's scalar exact code ({million(exact_scalar.rates['median'])} rays/s), "
                          "which opens one node at a time with bounds rounded outwards where lanes take eight, are "
-                         f"{told(quicker)}; in brackets, what they miss."
+                         f"{listed_with_misses(quicker)}; in brackets, what they miss."
                          if quicker else
                          "None is faster than graze's scalar exact code either.")
     return sentences
@@ -282,16 +282,17 @@ def joined(rows):
 
 def declining(rows):
     """Which of them declined many rays."""
-    told = [f"“{row.name}” declined {percent(row.at[LEVELS[0]]['declined'] / row.at[LEVELS[0]]['rays'])} of the rays"
+    notes = [f"“{row.name}” declined "
+             f"{percent(row.at[LEVELS[0]]['declined'] / row.at[LEVELS[0]]['rays'])} of the rays"
             for row in rows if row.at[LEVELS[0]]["declined"] * 10 > row.at[LEVELS[0]]["rays"]]
-    return f" ({'; '.join(told)})" if told else ""
+    return f" ({'; '.join(notes)})" if notes else ""
 
 
 def beside(lead, others):
     quicker = [row for row in others if row.rates["median"] > lead.rates["median"]]
     if quicker:
         return (f"Faster than graze's fastest without a miss ({lead.name}, {million(lead.rates['median'])} rays/s): "
-                f"{told(quicker)}; in brackets, what they miss.")
+                f"{listed_with_misses(quicker)}; in brackets, what they miss.")
     peer = best(others)
     return (f"graze's {lead.name} is the fastest of all with {million(lead.rates['median'])} rays/s and no miss; next "
             f"of the others is {peer.name} with {million(peer.rates['median'])} and misses on "
@@ -325,7 +326,7 @@ def spurious_caption(rows):
                      f"{percent(max(cost, 0))} of the speed.")
         less = [row for row in others if first(row, spurious) < first(sound, spurious)]
         if less:
-            words.append(f"Fewer than sound mode report {told(less)}; in brackets, what they miss.")
+            words.append(f"Fewer than sound mode report {listed_with_misses(less)}; in brackets, what they miss.")
     none = [row for row in others if first(row, spurious) == 0]
     words.append(f"Without any of the others: {joined(none)}." if none else "All others report some.")
     return " ".join(words)

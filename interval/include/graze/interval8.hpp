@@ -53,7 +53,7 @@ struct mask8 {
 template <class Path> class interval8 {
 public:
   using path = Path;
-  static constexpr std::size_t lanes = 8;
+  static constexpr std::size_t lane_count = 8;
 
   /// Zero in all lanes.
   GRAZE_BATCH_INLINE interval8() : interval8(0.0) {}
@@ -153,7 +153,8 @@ public:
     return masked<Predicate>(x...);
   }
   /// From registers: lanes i * Path::width onwards are parts[i].
-  static GRAZE_BATCH_INLINE interval8 of(const part (&parts)[lanes / Path::width]) {
+  static GRAZE_BATCH_INLINE interval8
+  from_registers(const part (&parts)[lane_count / Path::width]) {
     interval8 r{uninitialized{}};
     for (std::size_t i = 0; i < count; ++i)
       r.parts_[i] = parts[i];
@@ -165,7 +166,7 @@ public:
 
 private:
   using f = batch::formulas<Path>;
-  static constexpr std::size_t count = lanes / Path::width;
+  static constexpr std::size_t count = lane_count / Path::width;
   struct uninitialized {};
   GRAZE_BATCH_INLINE explicit interval8(uninitialized) {}
 

@@ -30,17 +30,17 @@ choice choose() {
   for (const path p : paths)
     if (!refusal(p))
       c.chosen = p;
-  const char* asked = std::getenv("GRAZE_BATCH_PATH");
-  if (asked == nullptr || *asked == '\0')
+  const char* requested = std::getenv("GRAZE_BATCH_PATH");
+  if (requested == nullptr || *requested == '\0')
     return c;
   for (const path p : paths)
-    if (std::string_view(asked) == name(p)) {
+    if (std::string_view(requested) == name(p)) {
       c.refused = refusal(p);
       if (!c.refused)
         c.chosen = p;
       return c;
     }
-  c.refused = "GRAZE_BATCH_PATH names no path: " + std::string(asked) +
+  c.refused = "GRAZE_BATCH_PATH names no path: " + std::string(requested) +
               " (baseline, avx2 or avx512 are known)";
   return c;
 }

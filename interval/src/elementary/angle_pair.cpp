@@ -1,13 +1,13 @@
 #include "angle_pair.hpp"
 #include "angle_table.hpp"
-#include "lanes.hpp"
+#include "pairs.hpp"
 #if defined(__x86_64__)
 
 namespace graze::elementary {
 
 namespace {
-using namespace lanes;
-constexpr both_lanes least_size(0x1p-100), greatest_size(0x1p+100), steps(128), step(0x1p-7),
+using namespace pairs;
+constexpr both_doubles least_size(0x1p-100), greatest_size(0x1p+100), steps(128), step(0x1p-7),
     half_pi_high(0x1.921fb54442d2p+0), half_pi_low(-0x1.ee59d9cceba4p-50),
     pi_high(0x1.921fb54442d18p+1), pi_low(0x1.1a62633145c07p-53),
     minus_third(-0x1.5555555555555p-2), fifth(0x1.999999999999ap-3),

@@ -1,14 +1,14 @@
 #include "exponential_pair.hpp"
 #include "exponential_table.hpp"
-#include "lanes.hpp"
+#include "pairs.hpp"
 #if defined(__x86_64__)
 
 namespace graze::elementary {
 
 namespace {
-using namespace lanes;
+using namespace pairs;
 constexpr both_integers seven_bits(127);
-constexpr both_lanes limit(708), inverse(0x1.71547652b82fep+7), step_high(0x1.62e42fefcp-8),
+constexpr both_doubles limit(708), inverse(0x1.71547652b82fep+7), step_high(0x1.62e42fefcp-8),
     step_low(0x1.c610ca86c3899p-44), sixth(0x1.5555555555555p-3),
     reciprocal_24(0x1.5555555555555p-5), reciprocal_120(0x1.1111111111111p-7),
     reciprocal_720(0x1.6c16c16c16c17p-10), error(0x1.04p-60);

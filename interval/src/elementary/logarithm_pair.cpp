@@ -1,17 +1,17 @@
 #include "logarithm_pair.hpp"
-#include "lanes.hpp"
 #include "logarithm_table.hpp"
+#include "pairs.hpp"
 #if defined(__x86_64__)
 
 namespace graze::elementary {
 
 namespace {
-using namespace lanes;
+using namespace pairs;
 constexpr both_integers below_normal(0x000fffffffffffff), infinity(0x7ff0000000000000),
     eleven_sixteenths(0x3fe6000000000000), seven_bits(127), exponent_bits(-0x10000000000000),
     two_62(0x4000000000000000);
 constexpr struct {
-  both_lanes ln2_high{0x1.62e42fefa38p-1}, ln2_low{0x1.ef35793c7673p-45}, two_52{0x1p+52},
+  both_doubles ln2_high{0x1.62e42fefa38p-1}, ln2_low{0x1.ef35793c7673p-45}, two_52{0x1p+52},
       biased{0x1p+52 + 1024}, minus_half{-0.5}, third{0x1.5555555555555p-2}, minus_quarter{-0.25},
       fifth{0x1.999999999999ap-3}, minus_sixth{-0x1.5555555555555p-3},
       seventh{0x1.2492492492492p-3}, minus_eighth{-0.125}, ninth{0x1.c71c71c71c71cp-4},

@@ -1,13 +1,13 @@
 #include "sine_pair.hpp"
-#include "lanes.hpp"
+#include "pairs.hpp"
 #include "sine_table.hpp"
 #if defined(__x86_64__)
 
 namespace graze::elementary {
 
 namespace {
-using namespace lanes;
-constexpr both_lanes least_size(0x1p-12), greatest_size(1024), inverse(0x1.45f306dc9c883p+6),
+using namespace pairs;
+constexpr both_doubles least_size(0x1p-12), greatest_size(1024), inverse(0x1.45f306dc9c883p+6),
     step_high(0x1.921fb5444p-7), step_middle(0x1.68c234c5p-46), step_low(-0x1.cceba3f91f197p-81),
     minus_half(-0.5), reciprocal_24(0x1.5555555555555p-5),
     minus_reciprocal_720(-0x1.6c16c16c16c17p-10), minus_sixth(-0x1.5555555555555p-3),

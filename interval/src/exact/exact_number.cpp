@@ -11,17 +11,6 @@ constexpr long double log2_of_five = 2.3219280948873623L;
 std::int64_t length_of(const natural& n) { return static_cast<std::int64_t>(n.bit_length()); }
 } // namespace
 
-exact_number exact_number::of(double x) {
-  exact_number n;
-  n.negative = rounding::exact::negative(x);
-  if (x != 0) {
-    const rounding::exact::magnitude m = rounding::exact::take_apart(x);
-    n.numerator = m.significand;
-    n.twos = m.exponent;
-  }
-  return n;
-}
-
 double exact_number::rounded(rounding::exact::direction d) const {
   using namespace rounding::exact;
   if (numerator.is_zero())

@@ -11,7 +11,6 @@ struct exact_number {
   natural numerator, denominator = 1;
   std::int64_t twos = 0, fives = 0; ///< any: at most 2^62 in magnitude
 
-  static exact_number of(double x);
   void scale_by_ten_to(std::int64_t exponent) { twos += exponent, fives += exponent; }
 
   [[nodiscard]] double rounded(rounding::exact::direction d) const;

@@ -61,11 +61,11 @@ template <int N> constexpr bool subtract(limbs<N>& a, std::uint64_t b) {
   return b != 0;
 }
 
-template <int N> constexpr limbs<N> shifted_right(const limbs<N>& a, std::int64_t by) {
+template <int N> constexpr limbs<N> shifted_right(const limbs<N>& a, std::int64_t shift) {
   limbs<N> r{};
-  if (by >= 64 * N)
+  if (shift >= 64 * N)
     return r;
-  const int whole = static_cast<int>(by / 64), bits = static_cast<int>(by % 64);
+  const int whole = static_cast<int>(shift / 64), bits = static_cast<int>(shift % 64);
   for (int i = 0; i + whole < N; ++i) {
     r[i] = a[i + whole] >> bits;
     if (bits != 0 && i + whole + 1 < N)
@@ -79,10 +79,10 @@ template <int N> constexpr limbs<N> doubled(const limbs<N>& a) {
     r[i] = a[i] << 1 | (i > 0 ? a[i - 1] >> 63 : 0);
   return r;
 }
-/// by < 64 N.
-template <int N> constexpr limbs<N> shifted_left(const limbs<N>& a, int by) {
+/// shift < 64 N.
+template <int N> constexpr limbs<N> shifted_left(const limbs<N>& a, int shift) {
   limbs<N> r{};
-  const int whole = by / 64, bits = by % 64;
+  const int whole = shift / 64, bits = shift % 64;
   for (int i = N - 1; i >= whole; --i) {
     r[i] = a[i - whole] << bits;
     if (bits != 0 && i - whole > 0)

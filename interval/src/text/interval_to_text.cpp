@@ -125,7 +125,7 @@ std::string written(double x, bool up, text_style style) {
   return sign + written(style == text_style::decimal ? shortest(x, away) : decimal_of(x));
 }
 
-std::ostream& put(std::ostream& out, const auto& x) {
+std::ostream& print(std::ostream& out, const auto& x) {
   const auto hexfloat = std::ios_base::fixed | std::ios_base::scientific;
   const bool wanted = (out.flags() & std::ios_base::floatfield) == hexfloat;
   return out << interval_to_text(x, wanted ? text_style::hexadecimal : text_style::decimal);
@@ -154,7 +154,7 @@ std::string interval_to_text(const decorated_bounds& x, text_style style) {
   return interval_to_text(x.part, style) + "_" + name_of(x.label);
 }
 
-std::ostream& operator<<(std::ostream& out, const bounds& x) { return put(out, x); }
-std::ostream& operator<<(std::ostream& out, const decorated_bounds& x) { return put(out, x); }
+std::ostream& operator<<(std::ostream& out, const bounds& x) { return print(out, x); }
+std::ostream& operator<<(std::ostream& out, const decorated_bounds& x) { return print(out, x); }
 
 } // namespace graze

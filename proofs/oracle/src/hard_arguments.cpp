@@ -56,10 +56,10 @@ double nearly_a_double(mpfr_function f, double x) {
   mpfr_sub(other, other, value, MPFR_RNDN);
   mpfr_div_ui(other, other, steps, MPFR_RNDN);
   const std::uint64_t slope = fraction(other);
-  std::uint64_t here = start, least = ~std::uint64_t{0};
+  std::uint64_t product = start, least = ~std::uint64_t{0};
   int best = 0;
-  for (int k = 0; k < steps; ++k, here += slope) {
-    const std::uint64_t distance = here >> 63 ? ~here + 1 : here;
+  for (int k = 0; k < steps; ++k, product += slope) {
+    const std::uint64_t distance = product >> 63 ? ~product + 1 : product;
     if (distance < least && distance != 0) {
       least = distance;
       best = k;

@@ -25,9 +25,9 @@ rounded_value times(double u, place p) {
   return by_mpfr(mpfr_mul, u, p.t);
 }
 image multiples(const bounds& b, place p) {
-  const rounded_value one = times(b.lo, p), other = times(b.hi, p);
+  const rounded_value at_lo = times(b.lo, p), at_hi = times(b.hi, p);
   const bool reversed = (p.t == 0 ? p.side : p.t) < 0;
-  return reversed ? image{other, one} : image{one, other};
+  return reversed ? image{at_hi, at_lo} : image{at_lo, at_hi};
 }
 
 /// u^y for u > 0 and real y, each of them a double or infinitely close to one: 0, 1, or unbounded.
@@ -50,9 +50,9 @@ image powers_of(place t, const bounds& b) { // { t^y : y in b }
     return undefined_image;
   if (t.t == 0 && t.side == 0)
     return b.hi > 0 ? single(exact_value(0)) : undefined_image;
-  const rounded_value one = power(t, member(b.lo)), other = power(t, member(b.hi));
+  const rounded_value at_lo = power(t, member(b.lo)), at_hi = power(t, member(b.hi));
   const bool falls = t.t < 1 || (t.t == 1 && t.side < 0);
-  return falls ? image{other, one} : image{one, other};
+  return falls ? image{at_hi, at_lo} : image{at_lo, at_hi};
 }
 image powers_to(place t, const bounds& a) { // { u^t : u in a }
   const double sign = t.t == 0 ? t.side : t.t;

@@ -82,8 +82,8 @@ def test_page(folder):
     needs_matplotlib()
     code, out, err = run(["--from", str(RECORDED), "--out", str(folder), "--json"])
     check(code == 0, err)
-    told = json.loads(out)
-    check(told["sections"] == {"growth": "done"} and told["summary"], out)
+    result = json.loads(out)
+    check(result["sections"] == {"growth": "done"} and result["summary"], out)
     text = (folder / "index.html").read_text()
     check(len(text) < 5e6, "the page is too large")
     read = Page()
@@ -92,11 +92,11 @@ def test_page(folder):
     check(not read.open, f"left open: {read.open}")
     check(not read.fetched, f"the page loads {read.fetched}")
     check(all(link.startswith("#") and link[1:] in read.ids for link in read.links), read.links)
-    told = (folder / "README.md").read_text()
-    pictures = re.findall(r"!\[Figure \d+\]\(([^)]*)\)", told)
+    readme = (folder / "README.md").read_text()
+    pictures = re.findall(r"!\[Figure \d+\]\(([^)]*)\)", readme)
     check(len(pictures) == len(read.axes), pictures)
     check(all((folder / name).read_text().startswith("<svg") for name in pictures), pictures)
-    for row in re.findall(r"^\|.*\|$", told, re.M):
+    for row in re.findall(r"^\|.*\|$", readme, re.M):
         check("\n" not in row and "<span" not in row, row)
     check(len(read.captions) >= 5 and len(read.captions) == len(read.axes), f"{len(read.captions)} {len(read.axes)}")
     for caption in read.captions:

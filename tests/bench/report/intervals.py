@@ -49,8 +49,8 @@ class Intervals(unittest.TestCase):
         self.assertIn("judged results is the tightest enclosure", intervals.summary(DATA)[0])
 
     def test_an_unsound_result_of_graze_is_told(self):
-        of = {"library": "interval<>", "operation": "exp", "operands": "hard"}
-        data = changed("verdicts", of, unsound=2, tight=510, example=DATA["verdicts"][0]["example"])
+        selected = {"library": "interval<>", "operation": "exp", "operands": "hard"}
+        data = changed("verdicts", selected, unsound=2, tight=510, example=DATA["verdicts"][0]["example"])
         self.assertIn("2 are unsound", intervals.summary(data)[0])
         self.assertIn(["Graze\u00a0scalar", "exp", "2 of 2,048"], [row[:3] for row in intervals.show(data)[-1]["rows"]])
 

@@ -23,9 +23,9 @@ def recorded(name):
     return json.loads((HERE / f"{name}.json").read_text())
 
 
-def check(right, what):
+def check(right, claim):
     if not right:
-        sys.exit(f"failed: {what}")
+        sys.exit(f"failed: {claim}")
 
 
 def captions(blocks):
@@ -36,7 +36,7 @@ def row(block, name):
     return next(row for row in block["rows"] if row[0] == name)
 
 
-def of(data, traversal, path=""):
+def row_of(data, traversal, path=""):
     return next(c for c in data["timing"]["contestants"] if (c["traversal"], c["path"]) == (traversal, path))
 
 
@@ -54,7 +54,7 @@ def test_traversals():
     check("fastest of all" in captions(blocks)[1], captions(blocks)[1])
 
     faster = copy.deepcopy(data)
-    of(faster, "cgal-octree-epeck")["rays_a_second"] = [9e6] * 5
+    row_of(faster, "cgal-octree-epeck")["rays_a_second"] = [9e6] * 5
     words = captions(traversals.show(faster))[1]
     check("fastest of all" not in words and "Faster than graze's fastest without a miss" in words
           and "“CGAL, exact rays” (0 %)" in words, words)

@@ -22,8 +22,8 @@ inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Inputs an operation: 10^5, or what the environment variable GRAZE_TEST_INPUTS says.
 inline std::size_t input_count() {
-  const char* asked = std::getenv("GRAZE_TEST_INPUTS");
-  return asked == nullptr ? 100'000 : std::strtoull(asked, nullptr, 10);
+  const char* text = std::getenv("GRAZE_TEST_INPUTS");
+  return text == nullptr ? 100'000 : std::strtoull(text, nullptr, 10);
 }
 
 /// The path is in use while it lives. What cannot run here is said, and counts as skipped (see

@@ -54,7 +54,7 @@ bounds fma_of_corners(const bounds& x, const bounds& y, const bounds& z) {
   return r;
 }
 
-bounds of(const scalar& x) { return graze::to_bounds(x); }
+bounds bounds_of(const scalar& x) { return graze::to_bounds(x); }
 scalar to(const bounds& x) {
   return graze::to_interval<graze::policies<graze::rounding::nearest>>(x);
 }
@@ -75,7 +75,7 @@ using sp = std::span<const bounds>;
   {#name,                                                                                          \
    [](cb a, cb, cb) {                                                                              \
      const scalar x = to(a);                                                                       \
-     return of(expression);                                                                        \
+     return bounds_of(expression);                                                                 \
    },                                                                                              \
    [](ci x, ci, ci, batch::intervals r) { batch::name(x, r); },                                    \
    [](sp x, sp, sp, std::span<bounds> r) { batch::name(x, r); }}
@@ -83,7 +83,7 @@ using sp = std::span<const bounds>;
   {#name,                                                                                          \
    [](cb a, cb b, cb) {                                                                            \
      const scalar x = to(a), y = to(b);                                                            \
-     return of(expression);                                                                        \
+     return bounds_of(expression);                                                                 \
    },                                                                                              \
    [](ci x, ci y, ci, batch::intervals r) { batch::name(x, y, r); },                               \
    [](sp x, sp y, sp, std::span<bounds> r) { batch::name(x, y, r); }}
@@ -267,10 +267,12 @@ void every_predicate(batch::path p) {
     check([&](auto& b) { batch::certainly_less(x, y, b); }, [](I a, I b) { return a < b; });
     check([&](auto& b) { batch::certainly_less_equal(x, y, b); }, [](I a, I b) { return a <= b; });
     check([&](auto& b) { batch::equal(x, y, b); }, [](I a, I b) { return a == b; });
-    check([&](auto& b) { batch::subset(x, y, b); }, [](I a, I b) { return of(a).within(of(b)); });
+    check([&](auto& b) { batch::subset(x, y, b); },
+          [](I a, I b) { return bounds_of(a).within(bounds_of(b)); });
     check([&](auto& b) { batch::overlaps(x, y, b); },
           [](I a, I b) { return !empty(intersect(a, b)); });
-    check([&](auto& b) { batch::contains_zero(x, b); }, [](I a, I) { return of(a).contains(0); });
+    check([&](auto& b) { batch::contains_zero(x, b); },
+          [](I a, I) { return bounds_of(a).contains(0); });
     check([&](auto& b) { batch::is_empty(x, b); }, [](I a, I) { return empty(a); });
   }
   CHECK(wrong == 0);
@@ -311,7 +313,7 @@ void polynomials(batch::path p) {
         "biquadratic", [&](arrays& out) { batch::biquadratic(x, y, z, s, c, out); },
         [&](std::size_t i) {
           const auto term = [&](const bounds& t) { return graze::sqr(graze::sqr(to(t)) - to(s)); };
-          return of(term(x[i]) + term(y[i]) + term(z[i]) - to(c));
+          return bounds_of(term(x[i]) + term(y[i]) + term(z[i]) - to(c));
         });
     check(
         "horner", [&](arrays& out) { batch::horner(coefficients, wide, out); },
@@ -328,10 +330,10 @@ void polynomials(batch::path p) {
 
 } // namespace
 
-#define GRAZE_EACH_PATH(what, function)                                                            \
-  TEST_CASE("interval.batch: baseline, " what, "[property]") { function(batch::path::baseline); }  \
-  TEST_CASE("interval.batch: avx2, " what, "[property]") { function(batch::path::avx2); }          \
-  TEST_CASE("interval.batch: avx512, " what, "[property]") { function(batch::path::avx512); }
+#define GRAZE_EACH_PATH(title, function)                                                           \
+  TEST_CASE("interval.batch: baseline, " title, "[property]") { function(batch::path::baseline); } \
+  TEST_CASE("interval.batch: avx2, " title, "[property]") { function(batch::path::avx2); }         \
+  TEST_CASE("interval.batch: avx512, " title, "[property]") { function(batch::path::avx512); }
 GRAZE_EACH_PATH("arrays of any size and address, in place, nothing else written", every_size)
 GRAZE_EACH_PATH("predicates equal the scalar type's", every_predicate)
 GRAZE_EACH_PATH("polynomials equal the scalar type's", polynomials)

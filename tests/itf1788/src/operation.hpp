@@ -47,7 +47,7 @@ inline std::optional<int> int_operand(std::span<const value> operands, std::size
 }
 
 /// The only result of an operation that has one form and signals nothing.
-inline std::vector<result> one(value v) { return {result{{std::move(v)}}}; }
+inline std::vector<result> single_result(value v) { return {result{{std::move(v)}}}; }
 inline void add_form(std::vector<result>& all, value v, const char* form) {
   all.push_back({{std::move(v)}, "", form});
 }
@@ -97,10 +97,11 @@ template <class F, std::size_t N, auto f, auto c, class... Integer>
 std::vector<result> function_forms(std::span<const value> operands, Integer... n) {
   std::vector<result> all;
   if (const auto bare = operands_of<bounds, N>(operands)) {
-    all = one(std::apply([n...](auto... x) { return F::value(x..., n...); }, *bare));
+    all = single_result(std::apply([n...](auto... x) { return F::value(x..., n...); }, *bare));
     add_bare_forms<f, c>(all, *bare, n...);
   } else if (const auto marked = operands_of<decorated_bounds, N>(operands)) {
-    all = one(std::apply([n...](auto... x) { return apply_decorated<F>(x..., n...); }, *marked));
+    all = single_result(
+        std::apply([n...](auto... x) { return apply_decorated<F>(x..., n...); }, *marked));
     add_decorated_forms<f>(all, *marked, n...);
   }
   return all;

@@ -58,7 +58,7 @@ std::vector<result> decorated_from_text(std::span<const value> operands) {
 
 std::vector<result> new_dec(std::span<const value> operands) {
   const auto x = operands_of<bounds, 1>(operands);
-  return x ? one(graze::new_dec((*x)[0])) : std::vector<result>{};
+  return x ? single_result(graze::new_dec((*x)[0])) : std::vector<result>{};
 }
 
 std::vector<result> set_dec(std::span<const value> operands) {
@@ -74,7 +74,7 @@ std::vector<result> interval_part(std::span<const value> operands) {
 
 std::vector<result> decoration_part(std::span<const value> operands) {
   const auto x = operands_of<decorated_bounds, 1>(operands);
-  return x ? one(graze::decoration_part((*x)[0])) : std::vector<result>{};
+  return x ? single_result(graze::decoration_part((*x)[0])) : std::vector<result>{};
 }
 
 using numbers = std::vector<double>;
@@ -89,7 +89,7 @@ std::vector<result> sum_of(std::span<const value> operands) {
   if (!x)
     return {};
   const numbers& all_numbers = (*x)[0];
-  std::vector<result> all = one(reduce(all_numbers, to));
+  std::vector<result> all = single_result(reduce(all_numbers, to));
   add_form(all, c(all_numbers.data(), all_numbers.size(), c_direction(to)), "graze.h");
   return all;
 }
@@ -99,7 +99,7 @@ template <rounded to> std::vector<result> dot_of(std::span<const value> operands
   if (!x || (*x)[0].size() != (*x)[1].size())
     return {};
   const auto& [first, second] = *x;
-  std::vector<result> all = one(dot(first, second, to));
+  std::vector<result> all = single_result(dot(first, second, to));
   add_form(all, graze_dot(first.data(), second.data(), first.size(), c_direction(to)), "graze.h");
   return all;
 }

@@ -10,10 +10,10 @@ template <std::size_t N, auto f, auto c>
 std::vector<result> query(std::span<const value> operands) {
   std::vector<result> all;
   if (const auto bare = operands_of<bounds, N>(operands)) {
-    all = one(std::apply(f, *bare));
+    all = single_result(std::apply(f, *bare));
     add_bare_forms<f, c>(all, *bare);
   } else if (const auto marked = operands_of<decorated_bounds, N>(operands)) {
-    all = one(std::apply(f, *marked));
+    all = single_result(std::apply(f, *marked));
     add_decorated_forms<f>(all, *marked);
   }
   return all;
@@ -40,33 +40,33 @@ std::vector<result> is_member(std::span<const value> operands) {
     return {};
   const double m = n != nullptr ? static_cast<double>(*n) : *number;
   if (const auto* bare = std::get_if<bounds>(&operands[1])) {
-    std::vector<result> all = one(graze::is_member(m, *bare));
+    std::vector<result> all = single_result(graze::is_member(m, *bare));
     add_form(all, graze_is_member(m, to_c(*bare)), "graze.h");
     return all;
   }
   if (const auto* decorated = std::get_if<decorated_bounds>(&operands[1]))
-    return one(graze::is_member(m, *decorated));
+    return single_result(graze::is_member(m, *decorated));
   return {};
 }
 
 /// A bare interval is never NaI.
 std::vector<result> is_nai(std::span<const value> operands) {
   if (operands_of<bounds, 1>(operands))
-    return one(false);
+    return single_result(false);
   if (const auto decorated = operands_of<decorated_bounds, 1>(operands))
-    return one((*decorated)[0].is_nai());
+    return single_result((*decorated)[0].is_nai());
   return {};
 }
 
 std::vector<result> overlap(std::span<const value> operands) {
   if (const auto bare = operands_of<bounds, 2>(operands)) {
     const auto& [x, y] = *bare;
-    std::vector<result> all = one(overlap_name{name_of(graze::overlap(x, y))});
+    std::vector<result> all = single_result(overlap_name{name_of(graze::overlap(x, y))});
     add_form(all, overlap_name{graze_overlap(to_c(x), to_c(y))}, "graze.h");
     return all;
   }
   if (const auto marked = operands_of<decorated_bounds, 2>(operands))
-    return one(overlap_name{name_of(graze::overlap((*marked)[0], (*marked)[1]))});
+    return single_result(overlap_name{name_of(graze::overlap((*marked)[0], (*marked)[1]))});
   return {};
 }
 

@@ -114,9 +114,9 @@ private:
     if (!accept(symbol))
       refuse(fmt::format("'{}' {}", symbol, where));
   }
-  std::string_view require_word(const char* what) {
+  std::string_view require_word(const char* refusal) {
     if (here_.kind != token_kind::word)
-      refuse(what);
+      refuse(refusal);
     advance();
     return last_;
   }

@@ -79,14 +79,14 @@ std::string to_json(const std::vector<file_report>& reports) {
     file.update(members(total_of(report)));
     files.push_back(file);
     for (const auto& [s, is] : report.statements) {
-      json one = {{"file", report.path}, {"line", s.line}, {"statement", s.written}};
+      json entry = {{"file", report.path}, {"line", s.line}, {"statement", s.written}};
       if (is.is == verdict::failed || is.is == verdict::tighter) {
-        one["expected"] = is.expected;
-        one["got"] = is.got;
-        (is.is == verdict::failed ? failures : tighter).push_back(one);
+        entry["expected"] = is.expected;
+        entry["got"] = is.got;
+        (is.is == verdict::failed ? failures : tighter).push_back(entry);
       } else if (is.is == verdict::unsupported) {
-        one["missing"] = is.missing;
-        unsupported.push_back(one);
+        entry["missing"] = is.missing;
+        unsupported.push_back(entry);
       }
     }
   }

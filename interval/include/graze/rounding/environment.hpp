@@ -77,10 +77,10 @@ inline witness witness_within(hardware::mode m) {
 /// every scope turns it off; plain code and comparisons of inlined intervals are not:
 /// docs/numerics.md), or the machine does not round as it is told, in the scopes that say how.
 inline std::optional<std::string> refusal() {
-  const detail::witness here = detail::witness_of_thread();
-  if (!here.knows_subnormal_results())
+  const detail::witness thread = detail::witness_of_thread();
+  if (!thread.knows_subnormal_results())
     return "the processor flushes subnormal results to zero (FTZ); bounds would not hold";
-  if (!here.knows_subnormal_operands())
+  if (!thread.knows_subnormal_operands())
     return "the processor takes subnormal operands for zero (DAZ); bounds would not hold";
   const detail::witness down = detail::witness_within(hardware::mode::down),
                         up = detail::witness_within(hardware::mode::up);

@@ -28,11 +28,11 @@ GRAZE_INLINE pair magnitude(pair x) { return (pair)((bits)x & bits{~sign, ~sign}
 GRAZE_INLINE pair max(pair x, pair y) { return _mm_max_pd(x, y); }
 GRAZE_INLINE pair min(pair x, pair y) { return _mm_min_pd(x, y); }
 /// `mask` is all ones or all zeros in each half.
-GRAZE_INLINE pair select(bits mask, pair yes, pair no) {
+GRAZE_INLINE pair select(bits mask, pair chosen, pair other) {
 #if defined(__SSE4_1__)
-  return _mm_blendv_pd(no, yes, (pair)mask);
+  return _mm_blendv_pd(other, chosen, (pair)mask);
 #else
-  return (pair)(((bits)yes & mask) | ((bits)no & ~mask));
+  return (pair)(((bits)chosen & mask) | ((bits)other & ~mask));
 #endif
 }
 /// True where both halves of the mask are set: by their sign bits.

@@ -9,7 +9,7 @@ const voxel_rays_table& voxel_rays_kernels() {
   return GRAZE_ALL_PATHS(voxel_rays_table, voxel_rays).on(batch::path_in_use());
 }
 
-void prepare(voxel_rays_state& s, const voxel_set& set, convention reported, exactness degree,
+void prepare(voxel_rays_state& s, const voxel_set& set, convention rule, exactness certainty,
              const ray_segment& segment, bool soonest) {
   // sizes may be subnormal
   const rounding::hardware::mode_scope scope(rounding::hardware::mode::nearest);
@@ -28,8 +28,8 @@ void prepare(voxel_rays_state& s, const voxel_set& set, convention reported, exa
   }
   s.first = segment.first();
   s.last = segment.last();
-  s.owned = reported == convention::owned;
-  s.exact = degree == exactness::exact;
+  s.owned = rule == convention::owned;
+  s.exact = certainty == exactness::exact;
   s.most_queued = soonest ? 64 : voxel_rays_state::queue;
 }
 

@@ -1,5 +1,5 @@
 // The walk through a voxel set, compiled for each path.
-#include "lanes.hpp"
+#include "narrow.hpp"
 #include "registers.hpp"
 #include <graze/batch/per_path.hpp>
 

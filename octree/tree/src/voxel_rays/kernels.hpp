@@ -178,10 +178,10 @@ GRAZE_BATCH_INLINE void open_inner(voxel_rays_state& s, N& test, const corner& a
   voxel_rays_entry* const out = s.entries[d + 1];
   for (; head != end && tail + 64 <= limit; ++head) {
     const voxel_rays_entry& e = s.entries[d][head];
-    const std::uint64_t there = s.masks[e.node];
+    const std::uint64_t occupied = s.masks[e.node];
     const std::uint32_t first = s.firsts[e.node];
     test.open(e.lo, size);
-    std::uint64_t m = reversed(test.mask() & there, s.flip);
+    std::uint64_t m = reversed(test.mask() & occupied, s.flip);
     const double x = e.lo[0], y = e.lo[1], z = e.lo[2];
     const std::uint64_t packed = e.packed;
     const unsigned count = static_cast<unsigned>(__builtin_popcountll(m));
@@ -198,7 +198,7 @@ GRAZE_BATCH_INLINE void open_inner(voxel_rays_state& s, N& test, const corner& a
         c.lo[2] = z + at.z[octant >> 4] * size;
         c.packed = packed + (packed_of(octant) << shift);
         c.node = first + static_cast<unsigned>(
-                             __builtin_popcountll(there & ((std::uint64_t{1} << octant) - 1)));
+                             __builtin_popcountll(occupied & ((std::uint64_t{1} << octant) - 1)));
         __builtin_prefetch(s.masks + c.node);
       }
     }
@@ -219,9 +219,9 @@ GRAZE_BATCH_INLINE std::size_t open_last(voxel_rays_state& s, N& test, unsigned 
   const double size = s.sizes[d];
   for (; head != end && (Count || found + 64 <= capacity); ++head) {
     const voxel_rays_entry& e = s.entries[d][head];
-    const std::uint64_t there = s.masks[e.node];
+    const std::uint64_t occupied = s.masks[e.node];
     test.open(e.lo, size);
-    std::uint64_t m = test.mask() & there;
+    std::uint64_t m = test.mask() & occupied;
     ++s.opened;
     if (Count && !Exact) {
       found += static_cast<unsigned>(__builtin_popcountll(m));
@@ -252,7 +252,7 @@ GRAZE_BATCH_INLINE std::size_t open_last(voxel_rays_state& s, N& test, unsigned 
       }
       if constexpr (!Count)
         out[found] = {packed, first + static_cast<std::uint32_t>(__builtin_popcountll(
-                                          there & ((std::uint64_t{1} << octant) - 1)))};
+                                          occupied & ((std::uint64_t{1} << octant) - 1)))};
       ++found;
     } while (m != 0);
   }

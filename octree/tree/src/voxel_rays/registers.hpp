@@ -1,6 +1,6 @@
 #pragma once
 /// A node's test where a register holds eight doubles (AVX-512): its slabs are in three of them.
-#include "lanes.hpp"
+#include "narrow.hpp"
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #include <graze/batch/avx512.hpp>
 

@@ -36,7 +36,7 @@ template <class Path> struct eight_lanes {
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < number::count; ++i)
       p[i] = {lo.part[i], hi.part[i]};
-    return interval::of(p);
+    return interval::from_registers(p);
   }
   GRAZE_LANES number add_down(const number& x, const number& y) {
     return number::template each<&Path::add_down>(x, y);

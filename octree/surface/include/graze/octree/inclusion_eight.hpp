@@ -48,7 +48,7 @@ template <class Path> struct eight_boxes {
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < numbers::count; ++i)
       p[i] = {lo[a].part[i], hi[a].part[i]};
-    return interval8<Path>::of(p);
+    return interval8<Path>::from_registers(p);
   }
 };
 

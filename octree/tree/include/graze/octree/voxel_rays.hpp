@@ -31,7 +31,7 @@ namespace detail {
 /// The kernels of the path in use.
 const voxel_rays_table& voxel_rays_kernels();
 /// Sets what depends on the set, and what is asked.
-void prepare(voxel_rays_state& s, const voxel_set& set, convention reported, exactness degree,
+void prepare(voxel_rays_state& s, const voxel_set& set, convention rule, exactness certainty,
              const ray_segment& segment, bool soonest);
 inline void set_ray(voxel_rays_state& s, const ray& r) {
   for (unsigned a = 0; a < 3; ++a) {
@@ -46,11 +46,11 @@ inline void set_ray(voxel_rays_state& s, const ray& r) {
 /// copied or moved. With `soonest` the first voxels come after the least work; without, all do.
 class voxel_walk {
 public:
-  voxel_walk(const voxel_set& set, const ray& r, convention reported = convention::owned,
-             exactness degree = exactness::exact, const ray_segment& segment = {},
+  voxel_walk(const voxel_set& set, const ray& r, convention rule = convention::owned,
+             exactness certainty = exactness::exact, const ray_segment& segment = {},
              bool soonest = false)
       : kernels_(&detail::voxel_rays_kernels()) {
-    detail::prepare(state_, set, reported, degree, segment, soonest);
+    detail::prepare(state_, set, rule, certainty, segment, soonest);
     detail::set_ray(state_, r);
     kernels_->start(state_);
   }
@@ -103,9 +103,9 @@ private:
 /// Calls visit(voxel) for each occupied voxel on the ray; stops when visit returns true, and then
 /// returns true.
 template <class Visit>
-bool visit_voxels(const voxel_set& set, const ray& r, convention reported, exactness degree,
+bool visit_voxels(const voxel_set& set, const ray& r, convention rule, exactness certainty,
                   const ray_segment& segment, Visit&& visit) {
-  voxel_walk walk(set, r, reported, degree, segment);
+  voxel_walk walk(set, r, rule, certainty, segment);
   std::array<voxel, 128> found;
   while (const std::size_t n = walk.next(found))
     for (std::size_t i = 0; i < n; ++i)
@@ -117,22 +117,21 @@ bool visit_voxels(const voxel_set& set, const ray& r, convention reported, exact
 /// The first occupied voxel that owns a point of the ray's segment (`exact`), or the first that may
 /// (`conservative`).
 [[nodiscard]] inline std::optional<voxel> first_voxel(const voxel_set& set, const ray& r,
-                                                      exactness degree = exactness::exact,
+                                                      exactness certainty = exactness::exact,
                                                       const ray_segment& segment = {}) {
-  voxel_walk walk(set, r, convention::owned, degree, segment, true);
+  voxel_walk walk(set, r, convention::owned, certainty, segment, true);
   std::array<voxel, 64> found; // one node's: the walk ends with the first that has any
   return walk.next(found) != 0 ? std::optional(found[0]) : std::nullopt;
 }
 
 /// The number of occupied voxels on each ray, into counts (as many as rays). Returns the number of
 /// nodes opened.
-inline std::uint64_t count_voxels(const voxel_set& set, std::span<const ray> rays,
-                                  convention reported, exactness degree,
-                                  std::span<std::uint32_t> counts,
+inline std::uint64_t count_voxels(const voxel_set& set, std::span<const ray> rays, convention rule,
+                                  exactness certainty, std::span<std::uint32_t> counts,
                                   const ray_segment& segment = {}) {
   const detail::voxel_rays_table& kernels = detail::voxel_rays_kernels();
   detail::voxel_rays_state state;
-  detail::prepare(state, set, reported, degree, segment, false);
+  detail::prepare(state, set, rule, certainty, segment, false);
   std::uint64_t opened = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     detail::set_ray(state, rays[i]);
@@ -145,12 +144,12 @@ inline std::uint64_t count_voxels(const voxel_set& set, std::span<const ray> ray
 /// Calls visit(i, voxels) for each ray i with spans of its occupied voxels, in order: none, one or
 /// more spans a ray. Returns the number of nodes opened.
 template <class Visit>
-std::uint64_t visit_voxels(const voxel_set& set, std::span<const ray> rays, convention reported,
-                           exactness degree, const ray_segment& segment, Visit&& visit) {
+std::uint64_t visit_voxels(const voxel_set& set, std::span<const ray> rays, convention rule,
+                           exactness certainty, const ray_segment& segment, Visit&& visit) {
   const detail::voxel_rays_table& kernels = detail::voxel_rays_kernels();
   std::array<voxel, 128> found;
   detail::voxel_rays_state state;
-  detail::prepare(state, set, reported, degree, segment, false);
+  detail::prepare(state, set, rule, certainty, segment, false);
   std::uint64_t opened = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     detail::set_ray(state, rays[i]);

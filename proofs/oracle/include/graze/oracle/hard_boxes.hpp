@@ -65,9 +65,9 @@ public:
     const auto [p, q] = make_.next(kind());
     const auto [r, s] = make_.next(kind());
     const auto [t, u] = make_.next(kind());
-    x = of(p, make_.coin() ? r : t);
-    y = of(q, s);
-    z = of(t, make_.coin() ? -p * q : u); // x y + z cancels now and then
+    x = from_pair(p, make_.coin() ? r : t);
+    y = from_pair(q, s);
+    z = from_pair(t, make_.coin() ? -p * q : u); // x y + z cancels now and then
   }
 
   /// For polynomials: near the ends of [-3, 3], wide or thin.
@@ -86,7 +86,7 @@ private:
   hardness kind() {
     return static_cast<hardness>(make_.below(static_cast<std::uint64_t>(hardness::count)));
   }
-  bounds of(double p, double q) {
+  bounds from_pair(double p, double q) {
     switch (make_.below(10)) {
     case 0:
       q = p;

@@ -70,12 +70,12 @@ public:
   [[nodiscard]] bool tightest(const bounds& x, const bounds& result) const {
     return judge(x, result) == judgement::tightest;
   }
-  [[nodiscard]] bool is_solution(double t) const { return at({t, 0}).how == relation::meets; }
+  [[nodiscard]] bool is_solution(double t) const { return at({t, 0}).position == relation::meets; }
 
 private:
   enum class relation { undefined, below, meets, above };
   struct state {
-    relation how;
+    relation position;
     bool reaches_lo = false; ///< the greatest value is c.lo
     bool reaches_hi = false; ///< the least value is c.hi
   };
@@ -92,8 +92,8 @@ private:
     return {relation::meets, is(values.hi, c_.lo), is(values.lo, c_.hi)};
   }
   static bool crossed(const state& a, const state& b) {
-    return (a.how == relation::below && b.how == relation::above) ||
-           (a.how == relation::above && b.how == relation::below);
+    return (a.position == relation::below && b.position == relation::above) ||
+           (a.position == relation::above && b.position == relation::below);
   }
   [[nodiscard]] bool is_turn(double t) const {
     for (const double turn : turns_)
@@ -106,17 +106,17 @@ private:
   /// number, or -inf.
   [[nodiscard]] bool strictly_between(const place& a, double b) const {
     const state first = at(a);
-    if (a.side != 0 && first.how == relation::meets)
+    if (a.side != 0 && first.position == relation::meets)
       return true;
     if (std::isinf(b) || is_turn(b)) {
       const state last = at({b, -1});
-      return last.how == relation::meets || crossed(first, last);
+      return last.position == relation::meets || crossed(first, last);
     }
     const state last = at({b, 0});
-    if (last.how != relation::meets)
+    if (last.position != relation::meets)
       return crossed(first, last);
     // The solutions begin at b itself iff f touches c there with the end that comes nearer.
-    return !(first.how == relation::below ? last.reaches_lo : last.reaches_hi);
+    return !(first.position == relation::below ? last.reaches_lo : last.reaches_hi);
   }
   /// Are there solutions t with a <= t < b (a < t where a = -inf)?
   [[nodiscard]] bool before(double a, double b) const {

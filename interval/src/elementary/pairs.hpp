@@ -13,9 +13,9 @@ namespace graze::elementary {
 
 /// A constant in both lanes, in memory: an operand of the instruction that uses it. Quotients such
 /// as 1.0 / 6 would be left to the processor by -frounding-math.
-struct alignas(16) both_lanes {
+struct alignas(16) both_doubles {
   double value[2];
-  constexpr both_lanes(double x) : value{x, x} {}
+  constexpr both_doubles(double x) : value{x, x} {}
   GRAZE_FUSED __attribute__((always_inline)) operator __m128d() const { return _mm_load_pd(value); }
   [[nodiscard]] GRAZE_FUSED __attribute__((always_inline)) __m128i bits() const {
     return _mm_castpd_si128(_mm_load_pd(value));
@@ -30,10 +30,10 @@ struct alignas(16) both_integers {
   }
 };
 
-namespace lanes {
-inline constexpr both_lanes one(1), nudge(0x1p-60), sign(-0.0), half(0.5);
+namespace pairs {
+inline constexpr both_doubles one(1), nudge(0x1p-60), sign(-0.0), half(0.5);
 /// Beside 1.5 2^52 the unit is 1: a sum's last bits are the integer nearest.
-inline constexpr both_lanes shift(0x1.8p+52);
+inline constexpr both_doubles shift(0x1.8p+52);
 
 /// A table of constants that GCC 12 takes from memory, as operands: of ones that it sees it makes
 /// an instruction each.
@@ -99,6 +99,6 @@ GRAZE_FUSED_INLINE bounds outward(__m128d a, __m128d b) {
   } up{{0, -1}};
   return to_bounds(neighbour(a, b, _mm_load_si128(reinterpret_cast<const __m128i*>(up.value))));
 }
-} // namespace lanes
+} // namespace pairs
 } // namespace graze::elementary
 #endif

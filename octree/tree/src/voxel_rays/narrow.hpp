@@ -1,15 +1,15 @@
 #pragma once
-/// A node's test on any path of graze/batch: twelve slabs in registers of one to eight doubles.
+/// A node's test on a path whose registers hold one to four doubles: its twelve slabs in turn.
 #include "kernels.hpp"
 
 namespace graze::octree::detail {
 namespace {
 
-template <class P> class lanes_test {
+template <class P> class narrow_test {
   static_assert(P::width <= 4);
 
 public:
-  GRAZE_BATCH_INLINE explicit lanes_test(const voxel_rays_state& s) : from_(s.from), to_(s.to) {
+  GRAZE_BATCH_INLINE explicit narrow_test(const voxel_rays_state& s) : from_(s.from), to_(s.to) {
     for (unsigned k = 0; k < 12; ++k) {
       const voxel_rays_axis& a = s.axes[k / 4];
       const bool forward = a.sign > 0;
@@ -80,7 +80,7 @@ private:
 
 /// The node's test of a path.
 template <class P> struct node_test_on {
-  using type = lanes_test<P>;
+  using type = narrow_test<P>;
 };
 template <class P> using node_test = typename node_test_on<P>::type;
 
