@@ -42,7 +42,7 @@ void text(std::uint64_t seed, std::uint64_t index, observations& out) {
   // blanks around it change nothing
   const auto again = octree::formula::parse(" " + written + " ");
   const anywhere x(0.5, 0.75), y(-1.0, 0.25), z(2.0);
-  const auto value = [&](const octree::formula& f) { return f.surface()(x, y, z); };
+  const auto value = [&](const octree::formula& form) { return form.surface()(x, y, z); };
   if (!again || value(*f).lower() != value(*again).lower() ||
       value(*f).upper() != value(*again).upper())
     out.push_back({flaw::difference, "another formula with blanks around it: " + written});

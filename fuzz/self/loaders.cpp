@@ -197,10 +197,10 @@ void replay_file(std::uint64_t seed, std::uint64_t index, observations& out) {
     // damage may make a line two, or none
     for (std::size_t at = 0; at < line.size();) {
       const std::size_t end = line.find('\n', at);
-      const std::string_view text(line.data() + at, end - at);
+      const std::string_view part(line.data() + at, end - at);
       ++lines;
-      if (wrong.empty() && text.find_first_not_of(" \t\r") != std::string_view::npos)
-        if (const auto r = from_json_line(text); !r)
+      if (wrong.empty() && part.find_first_not_of(" \t\r") != std::string_view::npos)
+        if (const auto r = from_json_line(part); !r)
           wrong = r.reason(), wrong_number = lines;
       at = end + 1;
     }
