@@ -135,7 +135,7 @@ TEST_CASE("fuzz.properties: a miss is gross where the chord is over 1e-3 of the 
     const trial t = eight({1 - c, 0.5, 0.75}, {scale[0], scale[1], 0});
     const truth exact = truth_of(t);
     CHECK(exact.crossed == set_of({o111}));
-    return judge(t, is, seen({}), promise::crossed).findings;
+    return judge(t, exact, seen({}), promise::crossed).findings;
   };
   constexpr double limit = 1e-3 * 0.5 / 1.4142135623730951;
   for (const double scale : {1.0, 0x1p-1000, 0x1p+1000}) {
