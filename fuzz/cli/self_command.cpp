@@ -24,7 +24,7 @@ int list(bool as_json) {
     if (as_json)
       print("{}\n", nlohmann::ordered_json{{"subject", s.name}, {"parts", parts}}.dump());
     else
-      graze::print("{:<15} {}\n{:<15} {}\n", s.name, s.summary, "", fmt::join(parts, " "));
+      support::print("{:<15} {}\n{:<15} {}\n", s.name, s.summary, "", fmt::join(parts, " "));
   }
   return 0;
 }
