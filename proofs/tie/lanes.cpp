@@ -11,7 +11,7 @@ namespace {
 template <octree::convention C>
 void ask_in(const octree::ray& r, const lane_question& q, lane_answer& a) {
   using method = octree::sound_eight<batch::GRAZE_TIE_PATH, C>;
-  using number8 = typename method::number8;
+  using numbers = typename method::numbers;
   constexpr unsigned c = C == octree::convention::owned ? 1 : 0;
   const typename method::scope scope;
   const method m(method::bounds::prepare(r.origin(), r.direction())); // as the model: not scaled
@@ -21,7 +21,7 @@ void ask_in(const octree::ray& r, const lane_question& q, lane_answer& a) {
         const double mid[8] = {q.mid[0], q.mid[1], q.mid[2], 0, q.mid[0], q.mid[1], q.mid[2], 0};
     alignas(64) const double ends[8] = {q.leave[0],  q.leave[1],  q.leave[2],  0,
                                         -q.enter[0], -q.enter[1], -q.enter[2], 0};
-    const auto h = m.open(number8::load(mid), -0.0, number8::load(ends));
+    const auto h = m.open(numbers::load(mid), -0.0, numbers::load(ends));
     alignas(64) double at_mid[8];
     h.at_mid.store(at_mid);
     for (unsigned i = 0; i < 3; ++i)

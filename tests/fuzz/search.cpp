@@ -30,8 +30,8 @@ bool same_bits(const trial& a, const trial& b) { return encode(a) == encode(b) &
 mpq_class margin_in_rationals(const trial& t, unsigned a, unsigned i, unsigned b, unsigned j) {
   const auto ulp = [](const mpq_class& x) {
     const mpq_class least = mpq_class(1) / (mpz_class(1) << 1074);
-    const mpq_class ulp = abs(x) / (mpz_class(1) << 52);
-    return ulp < least ? least : ulp;
+    const mpq_class relative = abs(x) / (mpz_class(1) << 52);
+    return relative < least ? least : relative;
   };
   const auto larger = [](const mpq_class& x, const mpq_class& y) {
     return abs(x) < abs(y) ? mpq_class(abs(y)) : mpq_class(abs(x));
