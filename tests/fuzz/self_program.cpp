@@ -52,8 +52,8 @@ TEST_CASE("graze-fuzz self: an interrupt ends it, with its summary", "[unit]") {
   // interrupted once it says that trials were done, however long that takes
   const std::string command = "'" GRAZE_FUZZ "' self functions --seconds 1000 --json --progress >" +
                               (dir / "out") + " 2>" + (dir / "err") +
-                              " & pid=$!; until grep -q ': [1-9][0-9.]* [kM]*trials  ' " + (dir / "err") +
-                              "; do sleep 0.02; done; kill -INT $pid; wait $pid";
+                              " & pid=$!; until grep -q ': [1-9][0-9.]* [kM]*trials  ' " +
+                              (dir / "err") + "; do sleep 0.02; done; kill -INT $pid; wait $pid";
   CHECK(std::system(command.c_str()) == 0);
   const auto object = nlohmann::json::parse(support::content(dir / "out"));
   CHECK(object["interrupted"] == true);
