@@ -10,11 +10,11 @@ fails() {
 
 # refuses LINE... : the command's only line, on stderr, with exit code 2
 refuses() {
-  said=$("$@" 2>&1 >/dev/null)
+  output=$("$@" 2>&1 >/dev/null)
   code=$?
   [ $code = 2 ] || fails "$* exits with $code, not 2"
-  [ "$(printf '%s\n' "$said" | grep -c .)" = 1 ] || fails "$* does not say why in one line: $said"
-  printf '%s\n' "$said" | grep -q 'does not round as it is told' || fails "$* says: $said"
+  [ "$(printf '%s\n' "$output" | grep -c .)" = 1 ] || fails "$* does not say why in one line: $output"
+  printf '%s\n' "$output" | grep -q 'does not round as it is told' || fails "$* says: $output"
 }
 
 case $kind in

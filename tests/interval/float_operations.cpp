@@ -179,11 +179,11 @@ TEMPLATE_TEST_CASE("interval.float: operations are tightest, by MPFR with 24 bit
     result.judge("Boost's sqrt(x)", in_scope([&] { return boost::numeric::sqrt(a); }),
                  x ? root(*x) : set{}, x);
     if (x && std::isfinite(p)) {
-      const set one = ends{p, p};
-      result.judge("p + x", in_scope([&] { return p + a; }), add(*one, *x), one, x);
-      result.judge("x - p", in_scope([&] { return a - p; }), sub(*x, *one), x, one);
-      result.judge("p * x", in_scope([&] { return p * a; }), mul(*one, *x), one, x);
-      result.judge("x / p", in_scope([&] { return a / p; }), div(*x, *one), x, one);
+      const set point_set = ends{p, p};
+      result.judge("p + x", in_scope([&] { return p + a; }), add(*point_set, *x), point_set, x);
+      result.judge("x - p", in_scope([&] { return a - p; }), sub(*x, *point_set), x, point_set);
+      result.judge("p * x", in_scope([&] { return p * a; }), mul(*point_set, *x), point_set, x);
+      result.judge("x / p", in_scope([&] { return a / p; }), div(*x, *point_set), x, point_set);
     }
     if (x) { // numbers that describe it
       CHECK(in_scope([&] { return width(a); }) == up(mpfr_sub, x->hi, x->lo));

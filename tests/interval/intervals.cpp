@@ -196,13 +196,13 @@ TEMPLATE_TEST_CASE("interval.operations: tightest, by MPFR, and hold every membe
     judge("sqr(x)", x, x, in_scope([&] { return graze::sqr(a); }), x ? sqr(*x) : set{});
     judge("sqrt(x)", x, x, in_scope([&] { return sqrt(a); }), x ? root(*x) : set{});
     if (x && std::isfinite(p)) { // a number is the set that holds it alone
-      const set one = ends{p, p};
-      judge("p + x", one, x, in_scope([&] { return p + a; }), add(*one, *x));
-      judge("x - p", x, one, in_scope([&] { return a - p; }), sub(*x, *one));
-      judge("p - x", one, x, in_scope([&] { return p - a; }), sub(*one, *x));
-      judge("p * x", one, x, in_scope([&] { return p * a; }), mul(*one, *x));
-      judge("p / x", one, x, in_scope([&] { return p / a; }), div(*one, *x));
-      judge("x / p", x, one, in_scope([&] { return a / p; }), div(*x, *one));
+      const set point_set = ends{p, p};
+      judge("p + x", point_set, x, in_scope([&] { return p + a; }), add(*point_set, *x));
+      judge("x - p", x, point_set, in_scope([&] { return a - p; }), sub(*x, *point_set));
+      judge("p - x", point_set, x, in_scope([&] { return p - a; }), sub(*point_set, *x));
+      judge("p * x", point_set, x, in_scope([&] { return p * a; }), mul(*point_set, *x));
+      judge("p / x", point_set, x, in_scope([&] { return p / a; }), div(*point_set, *x));
+      judge("x / p", x, point_set, in_scope([&] { return a / p; }), div(*x, *point_set));
     }
     if (!both)
       continue;

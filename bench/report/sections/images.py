@@ -101,7 +101,7 @@ def povray_run(context, text, image, size):
     """What povray tells of a scene. It may write where it runs."""
     (context.scratch / "scene.pov").write_text(text)
     command = shlex.join(povray.pov_command("scene.pov", image, size))
-    return context.run(["sh", "-c", f"cd {shlex.quote(str(context.work))} && exec {command} 2>&1"])
+    return context.run(["sh", "-c", f"cd {shlex.quote(str(context.scratch))} && exec {command} 2>&1"])
 
 
 def povray_render(context, name, size, row):

@@ -13,14 +13,14 @@ for folder; do
     graze/needs_cxx20.hpp) continue ;;
     graze/boost_functions_of_bound.hpp) continue ;; # a piece of boost_functions.hpp
     esac
-    if said=$(echo "#include <$header>" | $compiler -std=c++17 -fsyntax-only $include -x c++ - 2>&1); then
+    if output=$(echo "#include <$header>" | $compiler -std=c++17 -fsyntax-only $include -x c++ - 2>&1); then
       fine=$((fine + 1))
-    elif echo "$said" | grep error: | head -n 1 | grep -q 'this header needs C++20' &&
-         [ "$(echo "$said" | grep -c error:)" -le 2 ]; then
+    elif echo "$output" | grep error: | head -n 1 | grep -q 'this header needs C++20' &&
+         [ "$(echo "$output" | grep -c error:)" -le 2 ]; then
       refused=$((refused + 1))
     else
       bad=$((bad + 1))
-      echo "$header:" && echo "$said" | grep error: | head -n 3
+      echo "$header:" && echo "$output" | grep error: | head -n 3
     fi
   done
 done
