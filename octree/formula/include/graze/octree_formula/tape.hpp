@@ -100,7 +100,6 @@ struct polynomial {
 /// A tape with all that it refers to.
 struct program {
   static constexpr unsigned most_registers = 128;
-  std::string text; ///< of which it was compiled
   std::vector<instruction> code;
   std::vector<tape::constant> constants;
   std::vector<tape::polynomial> polynomials;
@@ -111,6 +110,7 @@ struct program {
   bool continuous = true;
   /// Its natural interval extension is its range but for rounding.
   bool tight = true;
+  std::string text; ///< of which it was compiled
 };
 
 } // namespace graze::octree::tape
