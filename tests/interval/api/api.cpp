@@ -212,13 +212,14 @@ int sweep() {
   const auto no_number = [](const ends& x) {
     return is_empty(x) || (x.lower == x.upper && std::isinf(x.lower));
   };
+  const auto is_set = [](kind k) { return k != kind::number && k != kind::truth; };
   for_each_statement<J, true>([&](kind k, const char* name, auto run) {
     const auto other = of_i[index++];
     for (const auto& [x, y] : pairs) {
       const ends a = other(to_interval<I>(x), to_interval<I>(y));
       const ends b = run(to_interval<J>(x), to_interval<J>(y));
       ++runs;
-      if (!same(a, b) && !(k == kind::set && no_number(a) && no_number(b)) && ++different <= 20)
+      if (!same(a, b) && !(is_set(k) && no_number(a) && no_number(b)) && ++different <= 20)
         std::printf("%s, x = [%a, %a], y = [%a, %a]: [%a, %a] and [%a, %a]\n", name, x.lower,
                     x.upper, y.lower, y.upper, a.lower, a.upper, b.lower, b.upper);
     }
