@@ -6,7 +6,7 @@ graze_packages=(
   libtbb-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev
   clang-19 libclang-rt-19-dev clang-format-19
   coq libcoq-flocq ocaml-nox ocaml-findlib libzarith-ocaml-dev gappa
-  python3 python3-venv python3-distributed python3-matplotlib
+  python3 python3-venv python3-distributed python3-matplotlib python3-mpmath
 )
 
 # What bench/graze-report measures besides, and draws with. Each is optional: what cannot be installed is

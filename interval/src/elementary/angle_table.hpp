@@ -1,6 +1,6 @@
 #pragma once
 /// atan(j/128) = high + low: high the nearest multiple of 2^-48, low the rest rounded to nearest.
-/// Internal. tests/interval/elementary_fast.cpp computes it again with MPFR.
+/// Internal. Written by make_tables.py; tests/interval/elementary_fast.cpp computes it again with MPFR.
 namespace graze::elementary {
 
 struct angle_entry {

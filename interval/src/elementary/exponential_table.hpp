@@ -1,6 +1,6 @@
 #pragma once
 /// 2^(i/128) = high + low: high rounded to nearest, low the rest rounded to nearest. Internal.
-/// tests/interval/elementary_fast.cpp computes it again with MPFR.
+/// Written by make_tables.py; tests/interval/elementary_fast.cpp computes it again with MPFR.
 namespace graze::elementary {
 
 struct power_of_two {

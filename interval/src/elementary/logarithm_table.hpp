@@ -2,7 +2,7 @@
 /// Reciprocals r of the middle of 128 intervals of x in [11/16, 11/8), of width 2^-8 below 1 and
 /// 2^-7 above, to so few bits that r x - 1 is a double for every double x of the interval; and
 /// -log r = high + low, high the nearest multiple of 2^-42. r = 1 beside 1. Internal.
-/// tests/interval/elementary_fast.cpp computes them again with MPFR, and the bounds used.
+/// Written by make_tables.py; tests/interval/elementary_fast.cpp computes them again with MPFR, and the bounds used.
 namespace graze::elementary {
 
 struct logarithm_entry {

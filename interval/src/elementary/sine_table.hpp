@@ -1,6 +1,6 @@
 #pragma once
 /// sin(j pi/256) = high + low, each rounded to nearest, for the whole circle: cos(j pi/256) is at j
-/// + 128. Internal. tests/interval/elementary_fast.cpp computes it again with MPFR.
+/// + 128. Internal. Written by make_tables.py; tests/interval/elementary_fast.cpp computes it again with MPFR.
 namespace graze::elementary {
 
 struct sine_entry {
