@@ -9,7 +9,7 @@
 namespace graze::fuzz {
 
 /// A way of making rays. `make` fills a trial whose root and level are set (level 1..53, a root
-/// that root_cube accepts at that level); what it makes passes refusal().
+/// that root_cube accepts at that level); what it makes passes judgeable().
 struct generator {
   std::string_view name;
   std::string_view summary;

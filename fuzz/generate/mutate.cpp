@@ -146,7 +146,7 @@ trial mutated(random_stream& random, const trial& t) {
         next.extent[a] = static_cast<std::uint8_t>(
             std::min<std::uint64_t>(next.extent[a], count - next.base[a]));
       }
-    if (next != t && refusal(next).empty())
+    if (next != t && judgeable(next))
       return next;
   }
   return t;

@@ -23,7 +23,7 @@ struct truth {
   unsigned length_count = 0;
 };
 
-/// Exact, for every trial that passes refusal().
+/// Exact, for every trial that passes judgeable().
 truth truth_of(const trial& t);
 
 /// Touched octants that were not visited: misses of a traversal that promises `touched`.

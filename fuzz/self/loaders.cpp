@@ -165,9 +165,9 @@ part replay_line_loader(std::string name, line_decoder under_test) {
             const std::size_t first = out.size();
             if (!r)
               refused(r.reason(), line == source, out);
-            else if (!refusal(*r).empty())
-              out.push_back(
-                  {flaw::accepted, "accepted, though it cannot be judged: " + refusal(*r)});
+            else if (!judgeable(*r))
+              out.push_back({flaw::accepted,
+                             "accepted, though it cannot be judged: " + judgeable(*r).reason()});
             else if (!holds_numbers_of(text, *r))
               out.push_back({flaw::meaning, "other numbers than the line's: " + to_json_line(*r)});
             else if (const auto again = from_json_line(to_json_line(*r)); !again || *again != *r)

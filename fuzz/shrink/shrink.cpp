@@ -16,7 +16,7 @@ class candidates {
 public:
   explicit candidates(const trial& t) : now_(complexity_of(t)) {}
   void offer(const trial& t) {
-    if (complexity_of(t) < now_ && refusal(t).empty())
+    if (complexity_of(t) < now_ && judgeable(t))
       found_.push_back(t);
   }
   std::vector<trial> take() { return std::move(found_); }
@@ -256,7 +256,7 @@ void offer_small_integers(const trial& t, candidates& out) {
 
 complexity complexity_of(const trial& t) {
   complexity c{t.extent[0] * t.extent[1] * t.extent[2], t.level, 0, 0};
-  constexpr int not_finite = 1 << 20; // a candidate that refusal() will refuse
+  constexpr int not_finite = 1 << 20; // a candidate that is not judgeable()
   const auto digits = [&c](double x) {
     if (x != 0 && std::isfinite(x))
       c.places +=

@@ -19,7 +19,7 @@ struct complexity {
 };
 complexity complexity_of(const trial& t);
 
-/// Trials that are simpler than t, the boldest first; each passes refusal() and has a smaller
+/// Trials that are simpler than t, the boldest first; each passes judgeable() and has a smaller
 /// complexity. Whether one still fails is the caller's to judge.
 std::vector<trial> simpler(const trial& t);
 

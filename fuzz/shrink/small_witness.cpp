@@ -36,7 +36,7 @@ std::optional<trial> small_witness(traversal& under_test, finding kind, unsigned
   unsigned found = 0;
   const auto try_it = [&](const trial& t) {
     if (std::chrono::steady_clock::now() >= end || (stop != nullptr && stop->load()) ||
-        !refusal(t).empty() || (judge(t, under_test).findings & bit(kind)) == 0)
+        !judgeable(t) || (judge(t, under_test).findings & bit(kind)) == 0)
       return;
     ++found;
     const trial small = shrink(t, under_test, kind, evaluations, end, stop);

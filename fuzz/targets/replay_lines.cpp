@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     target::require(!t.reason().empty(), "refused without a reason");
     return 0;
   }
-  target::require(refusal(*t).empty(), "took a trial that cannot be judged");
+  target::require(judgeable(*t).has_value(), "took a trial that cannot be judged");
   const auto again = from_json_line(to_json_line(*t));
   target::require(again && encode(*again) == encode(*t), "does not read back what it wrote");
   return 0;

@@ -98,7 +98,7 @@ struct traversal {
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual promise promises() const = 0;
   /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in
-  /// order. `t` has passed refusal(). What it throws is told as fault::exception by ask().
+  /// order. `t` has passed judgeable(). What it throws is told as fault::exception by ask().
   virtual void visit(const trial& t, visited& out) = 0;
   /// Answers the first n >= 1 of the trials (at least one is given), clearing out[0] to out[n-1]
   /// first, and returns n. A traversal in another process answers many at once.

@@ -71,7 +71,7 @@ std::optional<trial> decode(std::span<const std::uint8_t> bytes) {
     const std::uint64_t extent = (bytes[105] >> (2 * a) & 3u) + 1u;
     t.extent[a] = static_cast<std::uint8_t>(std::min(extent, count - t.base[a]));
   }
-  if (!refusal(t).empty())
+  if (!judgeable(t))
     return std::nullopt;
   return t;
 }

@@ -19,7 +19,7 @@ inline constexpr std::size_t encoded_size = 106;
 /// decode() gives the trial back, bit for bit.
 std::vector<std::uint8_t> encode(const trial& t);
 
-/// The trial of these bytes; what it holds passes refusal(). Numbers out of range are brought into
+/// The trial of these bytes; what it holds passes judgeable(). Numbers out of range are brought into
 /// it, so that most bytes mean something: an infinity or NaN loses a bit of its exponent, the level
 /// is taken modulo 54, the base modulo 2^level, and the block ends at the root's faces. Nothing for
 /// bytes of another size, and for those that still do not pass (a direction of 0, a root whose

@@ -4,19 +4,19 @@
 
 namespace graze::fuzz {
 
-std::string refusal(const trial& t) {
+support::status judgeable(const trial& t) {
   if (const auto ray = octree::ray::make(t.origin, t.direction); !ray)
-    return ray.reason();
+    return unexpected{ray.reason()};
   if (t.level < 0 || t.level > octree::max_level)
-    return fmt::format("level {} is outside 0..{}", t.level, octree::max_level);
+    return unexpected{fmt::format("level {} is outside 0..{}", t.level, octree::max_level)};
   if (const auto root = octree::root_cube::make(t.root, std::max(1, t.level)); !root)
-    return root.reason();
+    return unexpected{root.reason()};
   for (int a = 0; a < 3; ++a) {
     if (t.extent[a] < 1 || t.extent[a] > max_extent)
-      return "extent is outside 1..4";
+      return unexpected{"extent is outside 1..4"};
     const std::uint64_t count = std::uint64_t{1} << t.level;
     if (t.base[a] >= count || t.extent[a] > count - t.base[a])
-      return "octants lie outside the root";
+      return unexpected{"octants lie outside the root"};
   }
   return {};
 }
@@ -51,8 +51,8 @@ expected<trial> trial_of_octant(const vec3& origin, const vec3& direction, const
     if (t.plane(a, 0) != octant.lo[a])
       return unexpected{"octant corner is not on the root's grid"};
   }
-  if (std::string why = refusal(t); !why.empty())
-    return unexpected{std::move(why)};
+  if (const support::status s = judgeable(t); !s)
+    return unexpected{s.reason()};
   return t;
 }
 

@@ -6,6 +6,7 @@
 #include <graze/expected.hpp>
 #include <graze/octree/cube.hpp>
 #include <graze/octree/ray.hpp>
+#include <graze/support/status.hpp>
 #include <trial/number.hpp>
 
 namespace graze::fuzz {
@@ -77,12 +78,12 @@ struct trial {
   friend bool operator==(const trial&, const trial&) = default;
 };
 
-/// Why a trial cannot be judged (a ray that is not one, a block outside its root, octants that are
-/// not exact doubles); empty when it can.
-std::string refusal(const trial& t);
+/// Whether a trial can be judged, or why not: a ray that is not one, a block outside its root, octants
+/// that are not exact doubles.
+support::status judgeable(const trial& t);
 
 /// The trial of a single octant given by its corner and size. Refuses an octant that is not one of
-/// the root's octree, and what refusal() refuses.
+/// the root's octree, and what is not judgeable().
 expected<trial> trial_of_octant(const vec3& origin, const vec3& direction, const cube& octant,
                                 const cube& root,
                                 const std::array<std::uint8_t, 3>& extent = {1, 1, 1});

@@ -51,7 +51,7 @@ TEST_CASE("fuzz.generators: every trial is legal at every level", "[property]") 
       for (unsigned k = 0; k < 200; ++k) {
         const trial t = make_trial(g, 11, k, level);
         INFO(g.name << " level " << level << " ray " << k);
-        REQUIRE(refusal(t) == "");
+        REQUIRE(judgeable(t));
         REQUIRE(t.level == level);
       }
 }
@@ -62,7 +62,7 @@ TEST_CASE("fuzz.generators: they work in other roots too", "[property]") {
     for (const generator& g : generators())
       for (unsigned k = 0; k < 500; ++k) {
         INFO(g.name << " ray " << k);
-        REQUIRE(refusal(make_trial(g, 12, k, 20, root)) == "");
+        REQUIRE(judgeable(make_trial(g, 12, k, 20, root)));
       }
 }
 

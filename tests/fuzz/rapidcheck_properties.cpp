@@ -96,7 +96,7 @@ TEST_CASE("fuzz.rapidcheck: the codec is exact, and never makes an illegal trial
     const auto bytes = *rc::gen::container<std::vector<std::uint8_t>>(
         encoded_size, rc::gen::arbitrary<std::uint8_t>());
     if (const auto t = decode(bytes))
-      RC_ASSERT(refusal(*t).empty());
+      RC_ASSERT(judgeable(*t).has_value());
   });
 }
 
