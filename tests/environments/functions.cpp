@@ -169,6 +169,7 @@ std::vector<row> rows_of_functions(unsigned thinning) {
                a.bounds_are(pair.first), a.bounds_are(pair.second);
              });
            }},
+      {"fmod", promise::immune, [=](answers& a) { ask_value<functions::fmod>(a, thinning); }},
       {"at points, down and up", promise::immune, ask_points},
       {"comparisons", promise::immune, [=](answers& a) { ask_tests(a, thinning); }},
       {"inf sup mid rad wid mag mig, bytes", promise::immune, ask_numbers},

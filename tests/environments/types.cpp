@@ -34,6 +34,14 @@ template <class I> void ask_operators(answers& a, unsigned thinning) {
   }
   for (const I& s : x)
     keep(square(s)), keep(sqrt(s));
+  for (const I& s : x) {
+    for (const double n : {0x1p-1074, 3.0, 2.5, -2.0})
+      keep(pow(s, n));
+    const auto middle = mid_rad(s);
+    for (const auto number :
+         {inf(s), sup(s), mid(s), rad(s), wid(s), mag(s), mig(s), middle.mid, middle.rad})
+      a.value_is(exact(number));
+  }
 }
 template <class I> row of_type(const std::string& name, promise promised, unsigned thinning) {
   return {name, promised, [=](answers& a) { ask_operators<I>(a, thinning); }};

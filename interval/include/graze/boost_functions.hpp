@@ -87,6 +87,20 @@ template <class I> auto operand(int n) {
     return I(n);
 }
 
+/// By the bits, as flushing (DAZ) does not reach them; infinities are whole and even.
+inline bool is_whole(double x) {
+  const auto bits = graze::rounding::exact::bits_of(x);
+  const int exponent = static_cast<int>(bits >> 52 & 0x7ff) - 1023;
+  return exponent >= 52 ||
+         (exponent >= 0 ? bits << 12 << exponent == 0 : rounding::exact::is_zero(x));
+}
+/// Of a whole number.
+inline bool is_odd(double x) {
+  const auto bits = graze::rounding::exact::bits_of(x);
+  const int exponent = static_cast<int>(bits >> 52 & 0x7ff) - 1023;
+  return exponent == 0 || (exponent > 0 && exponent <= 52 && (bits >> (52 - exponent) & 1) != 0);
+}
+
 /// Encloses { t^n : t in x } for an integer n in [down, up] beyond int.
 inline graze_interval integer_power(const graze_interval& x, double down, double up, bool odd) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -102,9 +116,9 @@ template <class N> graze_interval power(const graze_interval& x, const N& n) {
   const double down = round_down(n), up = round_up(n);
   bool whole = true, odd = false;
   if constexpr (is_real<N>) {
-    if (down == up) {
-      whole = std::floor(down) == down;
-      odd = whole && std::fmod(down, 2) != 0;
+    if (rounding::exact::equal(down, up)) {
+      whole = is_whole(down);
+      odd = whole && is_odd(down);
     } else if (-0x1p125 < down && up < 0x1p125) { // n is no double
       const auto integer = static_cast<int128>(n);
       whole = static_cast<N>(integer) == n;
@@ -116,7 +130,7 @@ template <class N> graze_interval power(const graze_interval& x, const N& n) {
     odd = n % 2 != 0;
   }
   constexpr int least = std::numeric_limits<int>::min(), greatest = std::numeric_limits<int>::max();
-  if (down == up && least <= down && up <= greatest)
+  if (rounding::exact::equal(down, up) && least <= down && up <= greatest)
     return graze_pown(x, static_cast<int>(down));
   return integer_power(x, down, up, odd);
 }

@@ -207,14 +207,6 @@ template <Real N, Policies P> N width(const interval_of<P, N>& x) {
   typename P::rounding rnd;
   return rnd.sub_up(x.upper(), x.lower());
 }
-/// max { |t| : t in x }, exact, never -0; NaN for the empty set.
-template <Real N, Policies P> N mag(const interval_of<P, N>& x) {
-  return empty(x) ? std::numeric_limits<N>::quiet_NaN() : std::max({N{0}, -x.lower(), x.upper()});
-}
-/// A finite number in x, near the middle; NaN for the empty set.
-template <Real N, Policies P> N mid(const interval_of<P, N>& x) {
-  return empty(x) ? std::numeric_limits<N>::quiet_NaN() : P::rounding::median(x.lower(), x.upper());
-}
 
 } // namespace graze
 

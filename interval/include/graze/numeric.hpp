@@ -71,34 +71,48 @@ constexpr double mig(const bounds& x) {
   return x.is_empty() ? checking::nan() : detail::greater(0.0, detail::greater(x.lo, -x.hi));
 }
 
-// mid and mag of intervals are in graze/interval.hpp. Of float intervals all are floats: mid and
-// rad as said above with floats for doubles.
+// Of float intervals all are floats: mid and rad as said above with floats for doubles.
+namespace detail {
+/// A double that is a float, or NaN, as the bounds' type; no conversion that might flush it.
+template <Real N> N exactly(double x) {
+  if constexpr (std::same_as<N, float>)
+    return rounding::narrow_to_nearest(x);
+  else
+    return x;
+}
+/// f of the ends as numbers N, to nearest and with subnormal numbers.
+template <Real N, class Function> N of_ends_as(const bounds& x, Function f) {
+  return exactly<N>(x.is_empty() ? checking::nan() : of_ends(x, [f](double lo, double hi) {
+    return static_cast<double>(f(static_cast<N>(lo), static_cast<N>(hi)));
+  }));
+}
+} // namespace detail
+
 template <Real N, Policies P> N inf(const interval_of<P, N>& x) {
-  return static_cast<N>(inf(to_bounds(x)));
+  return detail::exactly<N>(inf(to_bounds(x)));
 }
 template <Real N, Policies P> N sup(const interval_of<P, N>& x) {
-  return static_cast<N>(sup(to_bounds(x)));
+  return detail::exactly<N>(sup(to_bounds(x)));
+}
+template <Real N, Policies P> N mid(const interval_of<P, N>& x) {
+  return detail::of_ends_as<N>(
+      to_bounds(x), [](N lo, N hi) { return boost_rounding<rounding::nearest>::median(lo, hi); });
 }
 template <Real N, Policies P> N rad(const interval_of<P, N>& x) {
-  const bounds b = to_bounds(x);
-  return static_cast<N>(
-      b.is_empty() ? checking::nan() : detail::of_ends(b, [](double lo, double hi) {
-        return static_cast<double>(detail::radius(static_cast<N>(lo), static_cast<N>(hi)));
-      }));
+  return detail::of_ends_as<N>(to_bounds(x), detail::radius<N>);
 }
 template <Real N, Policies P> centre_of<N> mid_rad(const interval_of<P, N>& x) {
   return {mid(x), rad(x)};
 }
 template <Real N, Policies P> N wid(const interval_of<P, N>& x) {
-  const bounds b = to_bounds(x);
-  return static_cast<N>(
-      b.is_empty() ? checking::nan() : detail::of_ends(b, [](double lo, double hi) {
-        return static_cast<double>(
-            boost_rounding<rounding::nearest>::sub_up(static_cast<N>(hi), static_cast<N>(lo)));
-      }));
+  return detail::of_ends_as<N>(
+      to_bounds(x), [](N lo, N hi) { return boost_rounding<rounding::nearest>::sub_up(hi, lo); });
+}
+template <Real N, Policies P> N mag(const interval_of<P, N>& x) {
+  return detail::exactly<N>(mag(to_bounds(x)));
 }
 template <Real N, Policies P> N mig(const interval_of<P, N>& x) {
-  return static_cast<N>(mig(to_bounds(x)));
+  return detail::exactly<N>(mig(to_bounds(x)));
 }
 
 inline double inf(const decorated_bounds& x) { return x.is_nai() ? checking::nan() : inf(x.part); }

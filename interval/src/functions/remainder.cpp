@@ -1,3 +1,4 @@
+#include "../border.hpp"
 #include <algorithm>
 #include <cmath>
 #include <graze/functions/remainder.hpp>
@@ -35,9 +36,7 @@ bounds of_positive(double a, double b, double c, double d) {
   return {0, rounding::exact::div(b, n + 1, direction::up)};
 }
 
-} // namespace
-
-bounds fmod::value(bounds x, bounds y) {
+bounds range(bounds x, bounds y) {
   if (x.is_empty() || y.is_empty() || (y.lo == 0 && y.hi == 0))
     return bounds::empty();
   const double c = std::max({0.0, y.lo, -y.hi}), d = std::max(-y.lo, y.hi);
@@ -50,5 +49,9 @@ bounds fmod::value(bounds x, bounds y) {
   }
   return r;
 }
+
+} // namespace
+
+bounds fmod::value(bounds x, bounds y) { return at_border<range>(x, y); }
 
 } // namespace graze::functions
