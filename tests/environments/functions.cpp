@@ -4,6 +4,7 @@
 #include <graze/boolean.hpp>
 #include <graze/construct.hpp>
 #include <graze/decorated_functions.hpp>
+#include <graze/functions/remainder.hpp>
 #include <graze/graze.h>
 #include <graze/interchange.hpp>
 #include <graze/numeric.hpp>
@@ -169,7 +170,12 @@ std::vector<row> rows_of_functions(unsigned thinning) {
                a.bounds_are(pair.first), a.bounds_are(pair.second);
              });
            }},
-      {"fmod", promise::immune, [=](answers& a) { ask_value<functions::fmod>(a, thinning); }},
+      {"fmod", promise::immune,
+       [=](answers& a) {
+         for_each_pair(thinning, [&a](const bounds& x, const bounds& y) {
+           a.bounds_are(functions::fmod::value(x, y));
+         });
+       }},
       {"at points, down and up", promise::immune, ask_points},
       {"comparisons", promise::immune, [=](answers& a) { ask_tests(a, thinning); }},
       {"inf sup mid rad wid mag mig, bytes", promise::immune, ask_numbers},
