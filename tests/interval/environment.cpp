@@ -146,6 +146,43 @@ TEMPLATE_TEST_CASE("interval.environment: signs of bounds are seen where numbers
   CHECK(is(within(flushing, [=] { return least * I(1); }), tiny, tiny));
 }
 
+TEST_CASE("interval.environment: mid and rad belong together in any mode", "[regression]") {
+  // mid rounded up and rad about the mid to nearest left 2^-60 out
+  const auto holds = [](const graze::centre& c) { return c.mid == 0.5 && c.rad == 0.5; };
+  graze::centre held{};
+  {
+    const rounding::upward::scope scope;
+    held = mid_rad(graze::unprotected<rounding::upward>(0x1p-60, 1.0));
+  }
+  CHECK(holds(held));
+  for (const unsigned mxcsr : environments) {
+    CAPTURE(mxcsr);
+    CHECK(holds(within(mxcsr, [] { return mid_rad(graze::interval<>(0x1p-60, 1.0)); })));
+    const graze::centre c = within(mxcsr, [] { return mid_rad(graze::interval<>(tiny)); });
+    CHECK((c.mid == tiny && c.rad == 0));
+    CHECK(within(mxcsr, [] { return mag(graze::interval<>(-tiny)); }) == tiny);
+    const graze::float_interval<> least(-0x1p-149f, 0x1p-149f);
+    CHECK(within(mxcsr, [=] { return wid(least); }) == 0x1p-148f);
+    CHECK(within(mxcsr, [=] { return inf(least); }) == -0x1p-149f);
+  }
+}
+
+TEST_CASE("interval.environment: fmod and powers where numbers are flushed", "[regression]") {
+  using I = graze::interval<>;
+  const I least(tiny), one(1), two(2);
+  for (const unsigned mxcsr : environments) {
+    CAPTURE(mxcsr);
+    CHECK(is(within(mxcsr, [=] { return fmod(least, one); }), tiny, tiny));
+    const graze_interval r = within(mxcsr, [] { return graze_fmod({1, 1}, {tiny, tiny}); });
+    CHECK((r.inf == 0 && r.sup == 0));
+    CHECK(is(within(mxcsr, [=] { return pow(two, tiny); }), 1, 0x1.0000000000001p+0));
+    CHECK(is(within(mxcsr, [] { return pow(I(0), tiny); }), 0, 0));
+    CHECK(is(within(mxcsr, [] { return pow(I(-2, -1), 3.0); }), -8, -1));
+    CHECK(is(within(mxcsr, [] { return pow(I(-2, 1), 0x1p60); }), 0,
+             std::numeric_limits<double>::infinity()));
+  }
+}
+
 TEST_CASE("interval.environment: text where numbers are flushed", "[regression]") {
   const graze::bounds least{tiny, tiny};
   const std::string right = graze::interval_to_text(least);
