@@ -96,6 +96,7 @@ int summarize(const std::vector<std::string>& folders, const std::string& page, 
 }
 
 int campaign(campaign_options& options) {
+  listen_for_interrupts();
   if (!read_shard(options.shard, options.plan))
     return bad_input(fmt::format("shard {} is not i/N with 1 <= i <= N", options.shard));
   if (const status well = check({.workers = options.threads}); !well)
@@ -130,8 +131,6 @@ int campaign(campaign_options& options) {
     plan->under_test = *started;
   }
   plan->workers = options.threads;
-
-  listen_for_interrupts();
   const stored_plan& stored = store->plan();
   const std::uint64_t rays_before = store->state().total().rays;
   const double seconds_before = store->state().elapsed;

@@ -21,6 +21,7 @@ struct replay_options {
 std::string yes_or_no(bool b) { return b ? "yes" : "no"; }
 
 int replay_file(const replay_options& options) {
+  listen_for_interrupts();
   const auto cases = read_replay_file(options.file);
   if (!cases)
     return bad_input(cases.reason());
@@ -30,7 +31,6 @@ int replay_file(const replay_options& options) {
   if (!options.reproducer.empty())
     if (const status may = prepare_folder(options.reproducer); !may)
       return bad_input(may.reason());
-  listen_for_interrupts();
   const auto under_test = entry->guarded();
   bool any = false;
   schedule stretches({.trials = cases->size()}, 1, stop_wanted);

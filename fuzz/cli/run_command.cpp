@@ -27,6 +27,7 @@ struct run_options {
 };
 
 int run(const run_options& options) {
+  listen_for_interrupts(); // an adapter may take long to begin
   named_plan named = options.plan;
   named.generators = all_named(named.generators);
   auto plan = resolve_rays(named);
@@ -49,7 +50,6 @@ int run(const run_options& options) {
   plan->until_finding = options.until_finding;
   limit(*plan);
 
-  listen_for_interrupts();
   progress_line line("rays", options.progress);
   const campaign_result result = run_campaign(*plan, stop_wanted, shown_on(line, *plan));
   if (result.worst_finding() && !options.no_shrink)
