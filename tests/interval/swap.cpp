@@ -136,6 +136,7 @@ TEMPLATE_TEST_CASE("interval.swap: powers take real exponents", "[regression]", 
   CHECK(is(pow(TestType(-2, 1), 2.0f), 0, 4));
   CHECK(is(pow(TestType(-1), 1e10), 1, 1));
   CHECK(is(pow(TestType(-1), 10000000001.0), -1, -1));
+  CHECK(is(pow(TestType(-1), 0x1.0000000000001p+52), -1, -1)); // odd: its last bit is 1
   CHECK(is(pow(TestType(-1), 10000000001LL), -1, -1));
   CHECK(is(pow(TestType(-1), (1LL << 62) + 1), -1, -1));
   CHECK(is(pow(TestType(-1), 0x1.0000000000000002p+63L), -1, -1));
