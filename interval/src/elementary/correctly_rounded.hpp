@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <graze/rounding/exact.hpp>
 #include <graze/rounding/hardware.hpp>
 #include <limits>
 
@@ -31,6 +32,9 @@ namespace graze::correctly_rounded {
 
 namespace hardware = rounding::hardware;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+/// By the bits, as all comparisons with 0 here: a compiler may move it out of the scope, to where
+/// subnormal numbers count as zero.
+using rounding::exact::is_zero;
 
 /// Another mode until a scope that lives ends.
 template <hardware::mode Mode> void set_mode() {
@@ -99,9 +103,9 @@ GRAZE_BINARY_FUNCTIONS(GRAZE_DEFINE)
 
 /// The greatest double below r, for r > -inf and not NaN.
 inline double below(double r) {
-  const auto bits = std::bit_cast<std::int64_t>(r);
-  if (bits << 1 == 0)
+  if (is_zero(r))
     return -std::numeric_limits<double>::denorm_min();
+  const auto bits = std::bit_cast<std::int64_t>(r);
   return std::bit_cast<double>(bits + (bits < 0 ? 1 : -1));
 }
 
@@ -165,9 +169,6 @@ inline bool zero_or_not_finite(double x) {
   constexpr std::uint64_t twice_infinity = std::uint64_t{0x7ff} << 53;
   return (std::bit_cast<std::uint64_t>(x) << 1) - 1 >= twice_infinity - 1;
 }
-/// By the bits, as all comparisons with 0 here: a compiler may move it out of the scope, to where
-/// subnormal numbers count as zero.
-inline bool is_zero(double x) { return std::bit_cast<std::uint64_t>(x) << 1 == 0; }
 inline bool exact_at_zero(double x, double) { return is_zero(x); }
 inline bool exact_at_one(double x, double) { return x == 1; }
 inline bool exact_at_zero_and_infinity(double x, double) { return zero_or_not_finite(x); }

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <graze/octree/vector.hpp>
+#include <graze/rounding/exact.hpp>
 
 namespace graze::octree {
 
@@ -49,7 +50,7 @@ struct scaling {
     const std::uint64_t bits = __builtin_bit_cast(std::uint64_t, d) << 1;
     const std::int64_t e = bits >> 53 == 0 ? 1 : static_cast<std::int64_t>(bits >> 53);
     greatest = greatest < e ? e : greatest;
-    least = bits != 0 && e < least ? e : least;
+    least = !rounding::exact::is_zero(d) && e < least ? e : least;
   }
   const std::int64_t down = greatest - 1023 < least - 1 ? greatest - 1023 : least - 1;
   return {__builtin_bit_cast(double, (1023 - down) << 52),
