@@ -87,6 +87,14 @@ std::string_view name_of(promise p) {
     return "exactly-touched";
   case promise::exactly_owned:
     return "exactly-owned";
+  case promise::first:
+    return "first";
+  case promise::first_touched:
+    return "first-touched";
+  case promise::any:
+    return "any";
+  case promise::count:
+    return "count";
   default:
     return "crossed";
   }

@@ -12,7 +12,21 @@ namespace graze::fuzz {
 /// `touched`: every octant whose closed box the ray meets. `owned`: every octant that owns a point
 /// of the ray, front to back. `crossed`: only those whose open interior the ray meets.
 /// `exactly_touched`, `exactly_owned`: the same octants as the first two, and no others.
-enum class promise { touched, owned, crossed, exactly_touched, exactly_owned };
+/// `first`: one cell, touched and entered no later than the first crossed one; none only where none is
+/// crossed. `first_touched`: one of the cells touched soonest; none only where none is touched.
+/// `any`: whether there is such a cell. `count`: how often the ray crosses the closed surface of all
+/// occupied cells together.
+enum class promise {
+  touched,
+  owned,
+  crossed,
+  exactly_touched,
+  exactly_owned,
+  first,
+  first_touched,
+  any,
+  count
+};
 
 constexpr bool is_exact(promise p) {
   return p == promise::exactly_touched || p == promise::exactly_owned;
@@ -30,9 +44,29 @@ std::optional<promise> promise_of(std::string_view name);
 /// that is not an answer or that holds a NaN.
 enum class fault : std::uint8_t { none, crash, hang, exception, malformed, not_a_number };
 
-/// The ray that a traversal really works on, where it is not the one it was given.
+/// The ray that a traversal really works on, where it is not the one it was given; of a segment its
+/// far end.
 struct received_ray {
   vec3 origin, direction;
+  std::optional<vec3> end{};
+};
+
+/// A face of a box: axis and side.
+struct face {
+  std::uint8_t axis; ///< 0, 1, 2
+  bool upper;
+  friend bool operator==(const face&, const face&) = default;
+};
+
+/// What a traversal says beside the cells: of the first one, for promise::first; whether there is one;
+/// a number of crossings. What it does not say is not judged.
+struct remarks {
+  std::optional<double> t;        ///< entry into the first cell, in the ray's parameter
+  std::optional<double> distance; ///< the same as a length
+  std::optional<face> entered;
+  bool no_face = false; ///< it says that no face is entered: the origin is in the cell
+  std::optional<bool> hit;
+  std::optional<std::uint64_t> crossings;
 };
 
 /// The octants that a traversal reported, in its order; repetitions are kept.
@@ -44,6 +78,7 @@ public:
     repeated_ = outside_ = declined_ = false;
     fault_ = fault::none;
     received_.reset();
+    said_ = {};
     thrown_.clear();
   }
   void push(octant_number v) {
@@ -69,6 +104,9 @@ public:
   /// The answer is for this ray: it is judged on it. One that is not a ray (a direction that became
   /// zero, a component that became infinite) counts as declined.
   void receive(const received_ray& r) { received_ = r; }
+  /// What is said beside the cells.
+  remarks& said() { return said_; }
+  [[nodiscard]] const remarks& said() const { return said_; }
 
   [[nodiscard]] octant_set set() const { return set_; }
   [[nodiscard]] unsigned size() const { return count_; }
@@ -88,6 +126,7 @@ private:
   bool repeated_ = false, outside_ = false, declined_ = false;
   fault fault_ = fault::none;
   std::optional<received_ray> received_;
+  remarks said_;
   std::string thrown_;
 };
 
@@ -97,6 +136,10 @@ struct traversal {
   virtual ~traversal() = default;
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual promise promises() const = 0;
+  /// Whether it takes trials of these cells, and segments; others are declined, it is not asked.
+  [[nodiscard]] virtual bool takes(cell_kind cells, bool segment) const {
+    return cells == cell_kind::cube && !segment;
+  }
   /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in
   /// order. `t` has passed judgeable(). What it throws is told as fault::exception by ask().
   virtual void visit(const trial& t, visited& out) = 0;

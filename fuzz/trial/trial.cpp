@@ -4,6 +4,18 @@
 
 namespace graze::fuzz {
 
+namespace {
+template <class T> bool same(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b) {
+  return a == b || (a && b && *a == *b);
+}
+} // namespace
+
+bool operator==(const trial& a, const trial& b) {
+  return a.origin == b.origin && a.direction == b.direction && a.end == b.end && a.root == b.root &&
+         a.level == b.level && a.base == b.base && a.extent == b.extent && same(a.grid, b.grid) &&
+         same(a.boxes, b.boxes);
+}
+
 support::status judgeable(const trial& t) {
   if (const auto ray = octree::ray::make(t.origin, t.direction); !ray)
     return unexpected{ray.reason()};

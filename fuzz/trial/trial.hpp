@@ -4,10 +4,15 @@
 #include <bit>
 #include <cstdint>
 #include <graze/expected.hpp>
+#include <graze/octree/box.hpp>
 #include <graze/octree/cube.hpp>
+#include <graze/octree/plane_rule.hpp>
 #include <graze/octree/ray.hpp>
 #include <graze/support/status.hpp>
+#include <memory>
+#include <optional>
 #include <trial/number.hpp>
+#include <vector>
 
 namespace graze::fuzz {
 
@@ -29,15 +34,46 @@ constexpr octant_number octant_at(unsigned x, unsigned y, unsigned z) {
 /// The exact spelling of the three numbers.
 inline std::array<std::string, 3> hex(const vec3& v) { return {hex(v[0]), hex(v[1]), hex(v[2])}; }
 
-/// A ray, a root cube, and the occupied octants of one level: `extent` from index `base` on.
+/// What a trial's cells are: octants of a root cube, voxels of a grid with planes of any kind, boxes of
+/// a list.
+enum class cell_kind : std::uint8_t { cube, grid, boxes };
+inline constexpr unsigned cell_kinds = 3;
+
+/// Most voxels an axis of a grid.
+inline constexpr std::uint32_t max_count = std::uint32_t{1} << 20;
+/// Most boxes of a list, so that a set of them is an octant_set.
+inline constexpr std::size_t max_boxes = 64;
+
+/// The planes of a grid: by a rule from origin, spacing and count, or, where the rule is `given`, three
+/// increasing arrays. An axis of spacing 0 and count 1, or of one given plane, is flat.
+struct grid_planes {
+  vec3 origin{}, spacing{1, 1, 1};
+  std::array<std::uint32_t, 3> count{1, 1, 1}; ///< voxels an axis, 1..max_count
+  octree::plane_rule rule = octree::plane_rule::exact;
+  std::array<std::vector<double>, 3> given; ///< count + 1 planes an axis, one on a flat axis
+
+  friend bool operator==(const grid_planes&, const grid_planes&) = default;
+};
+
+/// A ray or a segment, and cells: the occupied octants of one level of a root cube (`extent` of them
+/// from index `base` on), such a block of a grid's voxels, or a list of boxes, whose places in the list
+/// are the octant_numbers.
 struct trial {
   vec3 origin{};
-  vec3 direction{1, 0, 0};
+  vec3 direction{1, 0, 0}; ///< of a segment: end - origin, rounded to nearest
+  /// The segment's far end: its points are origin + t (end - origin), 0 <= t <= 1, exactly. No end: a
+  /// ray.
+  std::optional<vec3> end;
   cube root{{0, 0, 0}, 1};
   int level = 1; ///< 0 (the root is the only octant) to octree::max_level
   std::array<std::uint64_t, 3> base{};
   std::array<std::uint8_t, 3> extent{1, 1, 1}; ///< octants an axis, 1..max_extent
+  std::shared_ptr<const grid_planes> grid; ///< where there is one, `root` and `level` say nothing
+  std::shared_ptr<const std::vector<octree::box>> boxes; ///< likewise, and `base` and `extent`
 
+  [[nodiscard]] cell_kind cells() const {
+    return boxes ? cell_kind::boxes : (grid ? cell_kind::grid : cell_kind::cube);
+  }
   [[nodiscard]] double size() const { return scaled(root.size, -level); }
   /// Plane `index` of the level's grid, 0 <= index <= 2^level; an exact double. Counted from the
   /// middle, as root_cube::octant does: from the corner it would be rounded on some roots.
@@ -75,7 +111,7 @@ struct trial {
     return set;
   }
 
-  friend bool operator==(const trial&, const trial&) = default;
+  friend bool operator==(const trial& a, const trial& b);
 };
 
 /// Whether a trial can be judged, or why not: a ray that is not one, a block outside its root, octants
