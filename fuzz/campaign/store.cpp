@@ -23,8 +23,14 @@ namespace files = std::filesystem;
 
 json to_json(const std::optional<external_options>& e) {
   return e ? json{{"promise", e->promised ? json(name_of(*e->promised)) : json()},
+                  {"cells", e->cells ? json(name_of(*e->cells)) : json()},
+                  {"segments", e->segments ? json(*e->segments) : json()},
+                  {"tolerance", e->tolerance ? json(*e->tolerance) : json()},
+                  {"batch", e->batch},
                   {"plain", e->format == line_format::plain},
+                  {"bits", e->format == line_format::bits},
                   {"float", e->as_float},
+                  {"received", e->needs_received},
                   {"timeout", e->seconds_a_ray}}
            : json();
 }
@@ -53,8 +59,22 @@ external_options read_external(const read_json& object, std::string command) {
     if (!e.promised)
       throw std::invalid_argument("there is no such promise");
   }
-  e.format = object.at("plain").get<bool>() ? line_format::plain : line_format::json;
+  if (const read_json cells = object.value("cells", read_json()); !cells.is_null()) {
+    e.cells = cell_kind_of(cells.get<std::string>());
+    if (!e.cells)
+      throw std::invalid_argument("there are no such cells");
+  }
+  if (const read_json segments = object.value("segments", read_json()); !segments.is_null())
+    e.segments = segments.get<bool>();
+  if (const read_json ulps = object.value("tolerance", read_json()); !ulps.is_null())
+    e.tolerance = ulps.get<double>();
+  e.batch = object.value("batch", std::uint64_t{0});
+  if (object.at("plain").get<bool>())
+    e.format = line_format::plain;
+  else if (object.value("bits", false))
+    e.format = line_format::bits;
   e.as_float = object.at("float").get<bool>();
+  e.needs_received = object.value("received", false);
   e.seconds_a_ray = object.at("timeout").get<double>();
   return e;
 }

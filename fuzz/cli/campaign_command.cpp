@@ -114,7 +114,7 @@ int campaign(campaign_options& options) {
       return bad_input("the command is not UTF-8, in which plan.json would hold it");
     options.plan.traversal = external->command;
     options.plan.external = *external;
-    if (started = external_traversal(*external); !started)
+    if (started = tried_traversal(*external); !started)
       return bad_input(started.reason());
   }
   auto store = campaign_store::open(options.folder, options.plan, given_members(*options.app));
@@ -125,7 +125,7 @@ int campaign(campaign_options& options) {
     return bad_input(plan.reason());
   if (store->plan().external) {
     if (!started)
-      started = external_traversal(*store->plan().external);
+      started = tried_traversal(*store->plan().external);
     if (!started)
       return bad_input(started.reason());
     plan->under_test = *started;

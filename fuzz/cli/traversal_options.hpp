@@ -8,7 +8,7 @@ namespace graze::fuzz {
 struct traversal_options {
   external_options external;
   std::string promised;
-  bool plain = false;
+  bool plain = false, bits = false;
 };
 
 /// Adds --command and what goes with it; `other` is the option that it excludes.
@@ -16,6 +16,9 @@ void add_traversal_options(CLI::App& app, CLI::Option& other, traversal_options&
 
 /// What they ask for, checked; no command is started.
 expected<external_options> external_of(const traversal_options& options);
+
+/// external_traversal(), whose notices are told on standard error.
+expected<traversal_entry> tried_traversal(const external_options& options);
 
 /// The traversal of these options, or else that of the name; the reason when there is none.
 expected<traversal_entry> chosen_traversal(const std::string& name,

@@ -248,6 +248,10 @@ std::optional<trial> trial_answered(const trial& t, const visited& answer) {
   trial at = t;
   at.origin = answer.received()->origin;
   at.direction = answer.received()->direction;
+  if (answer.received()->end)
+    at.end = answer.received()->end;
+  if (answer.received()->boxes)
+    at.boxes = answer.received()->boxes;
   if (!octree::ray::make(at.origin, at.direction))
     return std::nullopt;
   return at;
