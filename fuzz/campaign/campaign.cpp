@@ -21,6 +21,9 @@ constexpr finding_set faults_of_answers = bit(finding::crash) | bit(finding::han
                                           bit(finding::exception) | bit(finding::not_a_number) |
                                           bit(finding::malformed);
 
+constexpr finding_set wrong_remarks_of_answers =
+    bit(finding::distance) | bit(finding::face) | bit(finding::count);
+
 /// A traversal is asked this many at a time, after fewer: 1, 2, 4 and so on, so that the first
 /// answers of a slow one do not wait for the others.
 constexpr std::size_t most_asked = 64;
@@ -49,6 +52,8 @@ void counts::add(const verdict& v) {
     ++order_errors;
   if ((v.findings & (bit(finding::revisit) | bit(finding::outside))) != 0)
     ++revisits;
+  if ((v.findings & wrong_remarks_of_answers) != 0)
+    ++wrong_remarks;
   if (v.findings != 0)
     ++findings;
 }
@@ -121,13 +126,15 @@ trial trial_source::at(std::uint64_t index) {
 
 campaign_result search_rays(const campaign_plan& plan, schedule& stretches) {
   const auto under_test = plan.under_test.guarded();
+  const promise promised = under_test->promises();
+  const double tolerance = under_test->tolerance().value_or(usual_tolerance);
   trial_source source(plan);
   campaign_result result(plan.generators.size());
   std::vector<trial> asked(most_asked);
   std::vector<visited> answers(most_asked);
 
   const auto judge_one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
-    const verdict v = judge_answer(t, answer, under_test->promises());
+    const verdict v = judge_answer(t, answer, promised, tolerance);
     const std::size_t g = generator_of(plan, ray);
     result.by_generator[g].add(v);
     if (v.findings == 0)
