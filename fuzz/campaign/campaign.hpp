@@ -40,6 +40,14 @@ struct counts {
 /// The counts as they stand in the struct, so that a new one is nowhere forgotten.
 using count_row = std::array<std::uint64_t, sizeof(counts) / sizeof(std::uint64_t)>;
 
+/// A ray with a finding that is no fault, and what was answered.
+struct sample {
+  std::uint64_t ray;
+  trial at;
+  visited answer;
+};
+inline constexpr std::size_t most_samples = 64;
+
 struct campaign_result {
   explicit campaign_result(std::size_t generators = 0)
       : by_generator(generators), first(generators) {}
@@ -50,6 +58,7 @@ struct campaign_result {
   std::optional<double> first_miss_seconds; ///< until the first miss or gap
   /// For each generator and each kind of finding the first ray (lowest number) that showed it.
   std::vector<std::array<std::optional<std::uint64_t>, finding_kinds>> first;
+  std::vector<sample> samples; ///< the first most_samples of them, by their numbers
   bool interrupted = false;
 
   /// Adds what another worker's rays of the same plan showed.
