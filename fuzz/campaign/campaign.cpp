@@ -15,7 +15,7 @@ void keep_lower(std::optional<std::uint64_t>& lowest, std::uint64_t ray) {
 }
 
 constexpr finding_set misses_and_gaps =
-    bit(finding::crossed_miss) | bit(finding::gap) | bit(finding::miss);
+    bit(finding::crossed_miss) | bit(finding::gap) | bit(finding::seam) | bit(finding::miss);
 
 constexpr finding_set faults_of_answers = bit(finding::crash) | bit(finding::hang) |
                                           bit(finding::exception) | bit(finding::not_a_number) |
@@ -36,6 +36,7 @@ void counts::add(const verdict& v) {
   gross_missed += size_of(v.gross_missed);
   touched_missed += size_of(v.touched_missed);
   gaps += v.gaps;
+  seams += v.seams;
   visited += size_of(v.visited);
   spurious += size_of(v.spurious);
   if ((v.findings & bit(finding::far_spurious)) != 0)

@@ -16,8 +16,9 @@ struct counts {
   std::uint64_t crossed_missed = 0; ///< crossed octants missed
   std::uint64_t gross_missed = 0;   ///< those of them with a chord of more than 1e-3 of their edge
   std::uint64_t touched_missed =
-      0;                  ///< touched octants missed: a convention, not a bug, if only touched
-  std::uint64_t gaps = 0; ///< lengths of rays that no visited octant covers
+      0;                   ///< touched octants missed: a convention, not a bug, if only touched
+  std::uint64_t gaps = 0;  ///< lengths of rays that no visited octant covers, but for
+  std::uint64_t seams = 0; ///< those in a face or an edge that octants have in common
   std::uint64_t visited = 0;
   std::uint64_t spurious =
       0; ///< visited octants that are not touched (not owned, if exactly owned)

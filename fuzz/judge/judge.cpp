@@ -10,8 +10,8 @@ namespace graze::fuzz {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crash", "hang", "exception", "nan",     "malformed",    "gross-miss", "crossed-miss",
-      "gap",   "miss", "order",     "revisit", "far-spurious", "spurious",   "outside"};
+      "crash", "hang", "exception", "nan",     "malformed",    "gross-miss", "crossed-miss", "gap",
+      "seam",  "miss", "order",     "revisit", "far-spurious", "spurious",   "outside"};
   return names[static_cast<unsigned>(f)];
 }
 
@@ -269,7 +269,8 @@ verdict judge(const trial& t, const truth& exact, const visited& answer, promise
   v.touched_missed = touched_missed(exact, answer);
   v.visited = answer.set();
   v.spurious = spurious(exact, answer, p);
-  v.gaps = gaps(exact, answer);
+  v.seams = seams(exact, answer);
+  v.gaps = gaps(exact, answer) - v.seams;
   v.order_error = promises_owned(p) && out_of_order(exact, answer);
   if (v.crossed_missed != 0) {
     v.findings |= bit(finding::crossed_miss);
@@ -279,6 +280,8 @@ verdict judge(const trial& t, const truth& exact, const visited& answer, promise
   }
   if (v.gaps != 0)
     v.findings |= bit(finding::gap);
+  if (v.seams != 0)
+    v.findings |= bit(finding::seam);
   if ((v.missed & ~v.crossed_missed) != 0)
     v.findings |= bit(finding::miss);
   if (v.order_error)

@@ -54,6 +54,15 @@ inline unsigned gaps(const truth& exact, const visited& answer) {
   return count;
 }
 
+/// Those of them that lie in a common face or edge of octants: the ray runs along the seam, and
+/// nobody on either side of it was visited. None of these octants is crossed there.
+inline unsigned seams(const truth& exact, const visited& answer) {
+  unsigned count = 0;
+  for (unsigned i = 0; i < exact.length_count; ++i)
+    count += (exact.lengths[i] & answer.set()) == 0 && std::popcount(exact.lengths[i]) > 1 ? 1 : 0;
+  return count;
+}
+
 /// Visited octants that the ray does not touch; where owning octants and no others are promised,
 /// those that do not own. A sound test may report some within its rounding, an exact one may not.
 inline octant_set spurious(const truth& exact, const visited& answer,
@@ -88,8 +97,9 @@ octant_set far_spurious(const trial& t, const truth& exact, const visited& answe
 octant_set gross(const trial& t, octant_set missed);
 
 /// The kinds of finding, most serious first; a set of them is a finding_set. A gross miss is a
-/// crossed miss too. `spurious` is one for
-/// an exact promise only; the first five are those of `fault`, and leave nothing else to judge.
+/// crossed miss too; a `seam` is a gap
+/// in a face or an edge that octants have in common, a `gap` any other. `spurious` is one for an exact
+/// promise only; the first five are those of `fault`, and leave nothing else to judge.
 enum class finding : unsigned {
   crash,
   hang,
@@ -99,6 +109,7 @@ enum class finding : unsigned {
   gross_miss,
   crossed_miss,
   gap,
+  seam,
   miss,
   order,
   revisit,
@@ -106,7 +117,7 @@ enum class finding : unsigned {
   spurious,
   outside
 };
-inline constexpr unsigned finding_kinds = 14;
+inline constexpr unsigned finding_kinds = 15;
 std::string_view name_of(finding f);
 /// By the names of name_of().
 std::optional<finding> finding_of(std::string_view name);
@@ -120,7 +131,8 @@ inline finding worst(finding_set set) { return static_cast<finding>(std::countr_
 struct verdict {
   octant_set touched = 0, visited = 0, missed = 0, crossed_missed = 0, gross_missed = 0,
              touched_missed = 0, spurious = 0;
-  unsigned gaps = 0;
+  unsigned gaps = 0;  ///< but for
+  unsigned seams = 0; ///< these
   bool order_error = false;
   bool declined = false; ///< nothing was judged
   finding_set findings = 0;

@@ -15,9 +15,9 @@ namespace {
 using json = nlohmann::ordered_json;
 
 std::string row(std::string_view name, const counts& c) {
-  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10.4f}{:>8}{:>8}{:>9}\n", name,
-                     c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
-                     c.spurious, 100 * c.spurious_rate(), c.far_spurious, c.order_errors,
+  return fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>9}{:>11}{:>10.4f}{:>8}{:>8}{:>9}\n",
+                     name, c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
+                     c.seams, c.spurious, 100 * c.spurious_rate(), c.far_spurious, c.order_errors,
                      c.revisits);
 }
 
@@ -30,6 +30,7 @@ void add_counts(json& object, const counts& c) {
   object["gross_missed"] = c.gross_missed;
   object["touched_missed"] = c.touched_missed;
   object["gaps"] = c.gaps;
+  object["seams"] = c.seams;
   object["visited"] = c.visited;
   object["spurious"] = c.spurious;
   object["spurious_rate"] = c.spurious_rate();
@@ -49,9 +50,9 @@ std::string spelled(const vec3& v) {
 
 std::string table(const campaign_plan& plan, const campaign_result& result) {
   std::string text =
-      fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
-                  "generator", "rays", "touched", "misses", "crossed", "gross", "gaps", "spurious",
-                  "% visits", "far", "order", "revisit");
+      fmt::format("{:<15}{:>12}{:>12}{:>9}{:>9}{:>8}{:>9}{:>9}{:>11}{:>10}{:>8}{:>8}{:>9}\n",
+                  "generator", "rays", "touched", "misses", "crossed", "gross", "gaps", "seams",
+                  "spurious", "% visits", "far", "order", "revisit");
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     text += row(plan.generators[g]->name, result.by_generator[g]);
   text += row("all", result.total);

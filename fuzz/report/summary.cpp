@@ -76,8 +76,8 @@ std::string text_of_finding(const std::string& path) {
 std::string row(std::string_view name, const counts& c) {
   return fmt::format(
       "<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-      "<td>{}</td><td>{:.4f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-      escaped(name), c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
+      "<td>{}</td><td>{}</td><td>{:.4f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+      escaped(name), c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps, c.seams,
       c.spurious, 100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits, c.findings);
 }
 
@@ -171,7 +171,8 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
                                : fmt::format("{} findings after shrinking, on {} rays",
                                              m.state.findings.size(), total.findings));
   page += "<table>\n<tr><th>generator</th><th>rays</th><th>touched</th><th>misses</th>"
-          "<th>crossed</th><th>gross</th><th>gaps</th><th>spurious</th><th>% of visits</th>"
+          "<th>crossed</th><th>gross</th><th>gaps</th><th>seams</th><th>spurious</th><th>% of "
+          "visits</th>"
           "<th>far</th>"
           "<th>order</th><th>revisit</th><th>rays with a finding</th></tr>\n";
   for (std::size_t g = 0; g < plan.generators.size(); ++g)

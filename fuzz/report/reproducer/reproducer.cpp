@@ -31,8 +31,10 @@ octant_number subject_of(const trial& t, const truth& exact, const visited& answ
     set = crossed_missed(exact, answer);
     break;
   case finding::gap:
+  case finding::seam:
     for (unsigned i = 0; i < exact.length_count && set == 0; ++i)
-      if ((exact.lengths[i] & answer.set()) == 0)
+      if ((exact.lengths[i] & answer.set()) == 0 &&
+          (std::popcount(exact.lengths[i]) > 1) == (kind == finding::seam))
         set = exact.lengths[i];
     break;
   case finding::miss:
