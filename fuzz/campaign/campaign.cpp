@@ -24,10 +24,6 @@ constexpr finding_set faults_of_answers = bit(finding::crash) | bit(finding::han
 constexpr finding_set wrong_remarks_of_answers =
     bit(finding::distance) | bit(finding::face) | bit(finding::count);
 
-/// A traversal is asked this many at a time, after fewer: 1, 2, 4 and so on, so that the first
-/// answers of a slow one do not wait for the others.
-constexpr std::size_t most_asked = 64;
-
 } // namespace
 
 void counts::add(const verdict& v) {
@@ -73,6 +69,11 @@ void campaign_result::add(const campaign_result& other) {
         keep_lower(first[g][k], *other.first[g][k]);
   }
   total += other.total;
+  samples.insert(samples.end(), other.samples.begin(), other.samples.end());
+  std::sort(samples.begin(), samples.end(),
+            [](const sample& a, const sample& b) { return a.ray < b.ray; });
+  if (samples.size() > most_samples)
+    samples.erase(samples.begin() + most_samples, samples.end());
   if (other.first_miss_seconds)
     first_miss_seconds =
         std::min(first_miss_seconds.value_or(*other.first_miss_seconds), *other.first_miss_seconds);
@@ -130,6 +131,9 @@ campaign_result search_rays(const campaign_plan& plan, schedule& stretches) {
   const double tolerance = under_test->tolerance().value_or(usual_tolerance);
   trial_source source(plan);
   campaign_result result(plan.generators.size());
+  // a traversal is asked as many at a time as suits it, after fewer: 1, 2, 4 and so on, so that the first
+  // answers of a slow one do not wait for the others
+  const std::size_t most_asked = std::max<std::size_t>(1, under_test->at_once());
   std::vector<trial> asked(most_asked);
   std::vector<visited> answers(most_asked);
 
@@ -144,6 +148,8 @@ campaign_result search_rays(const campaign_plan& plan, schedule& stretches) {
     for (unsigned k = 0; k < finding_kinds; ++k)
       if ((v.findings >> k & 1) != 0)
         keep_lower(result.first[g][k], ray);
+    if (result.samples.size() < most_samples && (v.findings & faults_of_answers) == 0)
+      result.samples.push_back({ray, t, answer});
     if (plan.until_finding)
       stretches.end();
   };

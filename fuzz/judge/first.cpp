@@ -247,23 +247,24 @@ side side_of(const std::array<mpq_class, 3>& point, const std::vector<rational::
   return s;
 }
 
-/// The number of t in (0, 1), or (0, infinity), at which the line comes into or out of the union.
+/// The number of t in (0, 1), or (0, infinity), at which the line comes into or out of the union; its
+/// ends are on no surface of it.
 std::optional<std::uint64_t> number_of_crossings(const rational::line& l,
                                                  const std::vector<rational::box>& boxes) {
   std::vector<passage> met;
   for (const rational::box& b : boxes) {
     const auto p = passage_of(l, b);
-    if (!p || p->leave < 0 || (l.segment && p->enter > 1))
+    // what lies behind the origin, or beyond the end, or begins there: these are on no surface
+    if (!p || p->leave <= 0 || (l.segment && p->enter >= 1))
       continue;
-    if (!p->through_faces || p->leave == 0 || p->enter == 0 ||
-        (l.segment && (p->enter == 1 || p->leave == 1)))
+    if (!p->through_faces)
       return std::nullopt;
     met.push_back(*p);
   }
   std::sort(met.begin(), met.end(),
             [](const passage& x, const passage& y) { return x.enter < y.enter; });
   const auto counted = [&l](const mpq_class& t) {
-    return t > 0 && !(l.segment && t > 1) ? std::uint64_t{1} : std::uint64_t{0};
+    return t > 0 && !(l.segment && t >= 1) ? std::uint64_t{1} : std::uint64_t{0};
   };
   std::uint64_t number = 0;
   std::optional<passage> part; // of the union

@@ -10,8 +10,9 @@ namespace graze::fuzz {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crash", "hang", "exception", "nan",     "malformed",    "gross-miss", "crossed-miss", "gap",
-      "seam",  "miss", "order",     "revisit", "far-spurious", "spurious",   "outside", "distance", "face", "count"};
+      "crash",        "hang",     "exception", "nan",      "malformed", "gross-miss",
+      "crossed-miss", "gap",      "seam",      "miss",     "order",     "revisit",
+      "far-spurious", "spurious", "outside",   "distance", "face",      "count"};
   return names[static_cast<unsigned>(f)];
 }
 
@@ -57,8 +58,8 @@ bool comes_near(const trial& t, const octree::box& box, const vec3& near, const 
     enter = std::max(enter, std::min(lo, hi));
     leave = std::min(leave, std::max(lo, hi));
   }
-  const double when = std::clamp((enter + leave) / 2, 0.0,
-                                 t.end ? 1 : std::numeric_limits<double>::infinity());
+  const double when =
+      std::clamp((enter + leave) / 2, 0.0, t.end ? 1 : std::numeric_limits<double>::infinity());
   bool inside = true;
   for (unsigned a = 0; a < 3; ++a) {
     const double x = t.origin[a] + when * t.direction[a];
@@ -90,10 +91,9 @@ bool in_range(const octree::box& b) {
 } // namespace
 
 octant_set far_from(const trial& t, octant_set cells) {
-  if (!in_range(t) ||
-      (t.cells() == cell_kind::cube &&
-       (t.root.size > 0x1p250 || std::fabs(t.root.lo[0]) > 0x1p250 ||
-        std::fabs(t.root.lo[1]) > 0x1p250 || std::fabs(t.root.lo[2]) > 0x1p250)))
+  if (!in_range(t) || (t.cells() == cell_kind::cube &&
+                       (t.root.size > 0x1p250 || std::fabs(t.root.lo[0]) > 0x1p250 ||
+                        std::fabs(t.root.lo[1]) > 0x1p250 || std::fabs(t.root.lo[2]) > 0x1p250)))
     return 0;
   octant_set far = 0;
   for (octant_set left = cells; left != 0; left &= left - 1) {
@@ -207,7 +207,8 @@ std::optional<trial> trial_answered(const trial& t, const visited& answer) {
   if (!answer.received())
     return t;
   const received_ray& r = *answer.received();
-  if (t.end.has_value() != r.end.has_value()) // a segment that became a ray: it says nothing of ours
+  if (t.end.has_value() !=
+      r.end.has_value()) // a segment that became a ray: it says nothing of ours
     return std::nullopt;
   trial at = r.end ? with_end(t, r.origin, *r.end) : with_ray(t, r.origin, r.direction);
   if (r.boxes)
@@ -219,9 +220,10 @@ std::optional<trial> trial_answered(const trial& t, const visited& answer) {
 
 support::status judgeable(promise p, cell_kind cells) {
   if (cells == cell_kind::boxes && promises_owned(p))
-    return unexpected{fmt::format("promise {} says nothing of boxes, which may overlap: owning is for "
-                                  "cells of a grid; take crossed or exactly-touched",
-                                  name_of(p))};
+    return unexpected{
+        fmt::format("promise {} says nothing of boxes, which may overlap: owning is for "
+                    "cells of a grid; take crossed or exactly-touched",
+                    name_of(p))};
   return {};
 }
 

@@ -13,9 +13,11 @@ namespace graze::fuzz {
 /// What exact arithmetic says about a trial.
 struct truth {
   octant_set touched = 0; ///< closed boxes that the ray meets
-  octant_set owned = 0;   ///< half-open boxes that the ray meets (far faces of the root or grid, and flat
-                          ///< axes, are closed); none of a list of boxes
-  octant_set crossed = 0; ///< open interiors that the ray meets; of a flat cell the interior in its plane
+  octant_set owned =
+      0; ///< half-open boxes that the ray meets (far faces of the root or grid, and flat
+         ///< axes, are closed); none of a list of boxes
+  octant_set crossed =
+      0; ///< open interiors that the ray meets; of a flat cell the interior in its plane
   /// The owning octants in order of t.
   std::array<octant_number, 64> owner_order;
   unsigned owners = 0;

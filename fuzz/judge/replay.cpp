@@ -17,6 +17,9 @@ bool has(octant_set set, octant_number v) { return (set >> v & 1) != 0; }
 
 /// The tightest doubles about x >= 0.
 bounds enclosure(const mpq_class& x) {
+  constexpr double most = std::numeric_limits<double>::max();
+  if (x > mpq_class(most))
+    return {most, std::numeric_limits<double>::infinity()};
   const double below = x.get_d(); // towards 0
   if (mpq_class(below) == x)
     return {below, below};
@@ -126,7 +129,8 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
     if (c.at.boxes)
       cell["box"] = v;
     else if (c.at.grid)
-      cell["voxel"] = {c.at.base[0] + (v & 3u), c.at.base[1] + (v >> 2 & 3u), c.at.base[2] + (v >> 4)};
+      cell["voxel"] = {c.at.base[0] + (v & 3u), c.at.base[1] + (v >> 2 & 3u),
+                       c.at.base[2] + (v >> 4)};
     else
       cell["lo"] = hex(c.at.octant(v).lo);
     cell["touches"] = has(r.touches, v);

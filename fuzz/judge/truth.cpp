@@ -135,9 +135,10 @@ truth truth_of(const trial& t) {
     step_through_doubles(t, steps);
   std::array<const layers*, 3> on;
   for (unsigned a = 0; a < 3; ++a)
-    on[a] = t.flat(a)
-                ? &on_flat_axis[a]
-                : places[a][t.extent[a] - 1u][(near_face >> a & 1) | (far_face >> a & 1) << 1].data();
+    on[a] =
+        t.flat(a)
+            ? &on_flat_axis[a]
+            : places[a][t.extent[a] - 1u][(near_face >> a & 1) | (far_face >> a & 1) << 1].data();
   const int flat = (t.flat(0) ? 1 : 0) | (t.flat(1) ? 2 : 0) | (t.flat(2) ? 4 : 0);
   for (const oracle::step& s : steps) {
     const layers &x = on[0][s.at[0]], &y = on[1][s.at[1]], &z = on[2][s.at[2]];

@@ -1,3 +1,4 @@
+#include <campaign/hint.hpp>
 #include <chrono>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
@@ -98,10 +99,13 @@ std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
 
 std::string describe(const campaign_plan& plan, const campaign_result& result,
                      const counterexample& c) {
-  std::string text = fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
-                                 name_of(c.kind), support::shown(plan.under_test.name), c.ray,
-                                 plan.seed, plan.generators[generator_of(plan, c.ray)]->name,
-                                 spelled(c.found), spelled(c.shrunk));
+  std::string text;
+  if (const auto hint = hint_of(result.samples, plan.under_test.guarded()->promises()))
+    text += fmt::format("{}\n", advice_on(*hint));
+  text += fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}", name_of(c.kind),
+                      support::shown(plan.under_test.name), c.ray, plan.seed,
+                      plan.generators[generator_of(plan, c.ray)]->name, spelled(c.found),
+                      spelled(c.shrunk));
   text += fmt::format("replay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(c.shrunk),
                       plan.under_test.asked_for());
   for (unsigned k = 0; k < finding_kinds; ++k) {
@@ -133,6 +137,8 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["first_miss_seconds"] =
       result.first_miss_seconds ? json(*result.first_miss_seconds) : json(nullptr);
   object["interrupted"] = result.interrupted;
+  const auto hint = hint_of(result.samples, plan.under_test.guarded()->promises());
+  object["hint"] = hint ? json(name_of(*hint)) : json(nullptr);
   object["finding"] = c ? json(name_of(c->kind)) : json(nullptr);
   object["counterexample"] = c ? json::parse(to_json_line(c->shrunk)) : json(nullptr);
   object["found_as"] = c ? json::parse(to_json_line(c->found)) : json(nullptr);
