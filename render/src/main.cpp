@@ -58,7 +58,8 @@ expected<scene> scene_of_picture(const std::string& file, picture_settings& sett
 /// before any work.
 expected<scene> understand(request& r) {
   if (r.scene.count() + int{!r.again.empty()} != 1)
-    return unexpected{"one of --scene, --formula, --again is needed (--help shows the options)"};
+    return unexpected{
+        "exactly one of --scene, --formula, --again is needed (--help shows the options)"};
   if (r.threads < 0 || r.threads > static_cast<int>(most_threads))
     return unexpected{fmt::format("--threads must be 0 to {}, not {}", most_threads, r.threads)};
   if (const status may = r.scene.check(); !may)
@@ -249,6 +250,7 @@ int start(int argc, char** argv) {
     return bad_input("--levels and --octree-level are of --method descent");
   r.settings.method = of_descent || r.method == "descent" ? method::descent : method::certified;
   listen_for_interrupts();
+  limit_memory();
   const auto s = understand(r);
   if (!s)
     return bad_input(s.reason());
