@@ -77,13 +77,16 @@ expected<scene> understand(request& r) {
   }
   if (const status may = r.settings.check(); !may)
     return unexpected{may.reason()};
-  if (const auto format = format_of(r.output); !format)
+  const auto format = format_of(r.output);
+  if (!format)
     return unexpected{"the output " + format.reason()};
   if (const status may = check_writable(r.output); !may)
     return unexpected{may.reason()};
-  if (!r.again.empty())
-    return scene_of_picture(r.again, r.settings);
-  return r.scene.read();
+  auto s = r.again.empty() ? r.scene.read() : scene_of_picture(r.again, r.settings);
+  if (s)
+    if (const status may = prepare_to_encode(*format); !may)
+      return unexpected{may.reason()};
+  return s;
 }
 
 nlohmann::ordered_json counts_of(const tally& c) {
