@@ -19,11 +19,11 @@ namespace graze::render {
 namespace {
 
 /// Whether the libraries get at their loading what they abort without. Measured with Debian 12: 4
-/// threads (log4cplus), 470 MB of addresses; writing takes a thread a core, once the loaded have
-/// theirs.
+/// threads (log4cplus), 470 MB of addresses, 100 of them for data (what `ulimit -d` limits); writing
+/// takes a thread a core, once the loaded have theirs.
 support::status room_for_libraries() {
   const unsigned wanted = 4 + std::max(1u, std::thread::hardware_concurrency());
-  constexpr std::size_t addresses = std::size_t{640} << 20;
+  constexpr std::size_t addresses = std::size_t{640} << 20, data = std::size_t{160} << 20;
   const auto refused = [](const char* what, const std::string& why) {
     return unexpected{fmt::format(
         "an EXR picture needs OpenImageIO, whose libraries need more {}: {} (PNG needs none)", what,
@@ -38,16 +38,19 @@ support::status room_for_libraries() {
   } catch (const std::system_error& e) {
     why = e.code().message();
   }
-  void* const place =
-      mmap(nullptr, addresses, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (place != MAP_FAILED)
-    munmap(place, addresses);
+  const auto there_is = [](std::size_t bytes, int protection) {
+    void* const place =
+        mmap(nullptr, bytes, protection, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    return place != MAP_FAILED && munmap(place, bytes) == 0;
+  };
+  const bool roomy = there_is(addresses, PROT_NONE) && there_is(data, PROT_READ | PROT_WRITE);
   end.count_down();
   if (!why.empty())
     return refused("threads",
                    fmt::format("{} of {} could be started, {}", threads.size(), wanted, why));
-  if (place == MAP_FAILED)
-    return refused("memory", fmt::format("there are no {} MB of addresses", addresses >> 20));
+  if (!roomy)
+    return refused("memory", fmt::format("{} MB of addresses, {} of them for data", addresses >> 20,
+                                         data >> 20));
   return {};
 }
 
