@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <graze/octree/box.hpp>
+#include <graze/rounding/exact.hpp>
 
 namespace graze::octree {
 
