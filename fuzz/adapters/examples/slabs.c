@@ -21,10 +21,9 @@ static int meets(const float o[3], const float one_over[3], const float box[2][3
 
 int main(void) {
   unsigned long long id, base[3], extent[3];
-  int level;
+  int level, first = 1;
   double o[3], d[3], lo[3], size; /* scanf reads hex floats exactly */
   double echo[16] = {0};
-  int first = 1;
   printf("promise crossed numbers hex float true echo true\n");
   fflush(stdout);
   while (scanf("%llu %d %llu %llu %llu %llu %llu %llu", &id, &level, &base[0], &base[1], &base[2],
