@@ -21,6 +21,9 @@ constexpr finding_set faults_of_answers = bit(finding::crash) | bit(finding::han
                                           bit(finding::exception) | bit(finding::not_a_number) |
                                           bit(finding::malformed);
 
+constexpr finding_set wrong_remarks_of_answers =
+    bit(finding::distance) | bit(finding::face) | bit(finding::count);
+
 } // namespace
 
 void counts::add(const verdict& v) {
@@ -45,6 +48,8 @@ void counts::add(const verdict& v) {
     ++order_errors;
   if ((v.findings & (bit(finding::revisit) | bit(finding::outside))) != 0)
     ++revisits;
+  if ((v.findings & wrong_remarks_of_answers) != 0)
+    ++wrong_remarks;
   if (v.findings != 0)
     ++findings;
 }
@@ -122,6 +127,8 @@ trial trial_source::at(std::uint64_t index) {
 
 campaign_result search_rays(const campaign_plan& plan, schedule& stretches) {
   const auto under_test = plan.under_test.guarded();
+  const promise promised = under_test->promises();
+  const double tolerance = under_test->tolerance().value_or(usual_tolerance);
   trial_source source(plan);
   campaign_result result(plan.generators.size());
   // a traversal is asked as many at a time as suits it, after fewer: 1, 2, 4 and so on, so that the first
@@ -131,7 +138,7 @@ campaign_result search_rays(const campaign_plan& plan, schedule& stretches) {
   std::vector<visited> answers(most_asked);
 
   const auto judge_one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
-    const verdict v = judge_answer(t, answer, under_test->promises());
+    const verdict v = judge_answer(t, answer, promised, tolerance);
     const std::size_t g = generator_of(plan, ray);
     result.by_generator[g].add(v);
     if (v.findings == 0)

@@ -25,7 +25,9 @@ struct counts {
   std::uint64_t far_spurious = 0; ///< rays with a spurious octant that rounding does not explain
   std::uint64_t order_errors = 0; ///< rays whose owning octants were visited out of order
   std::uint64_t revisits = 0;     ///< rays with an octant reported twice, or one not of the block
-  std::uint64_t findings = 0;     ///< rays with a finding of any kind
+  std::uint64_t wrong_remarks =
+      0; ///< rays whose first cell's t, distance or face is wrong, or whose count
+  std::uint64_t findings = 0; ///< rays with a finding of any kind
   std::uint64_t faults = 0; ///< rays that were not answered: crash, hang, exception, NaN, malformed
   std::uint64_t declined = 0; ///< rays that the traversal does not take: nothing was judged
 

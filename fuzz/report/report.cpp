@@ -37,6 +37,7 @@ void add_counts(json& object, const counts& c) {
   object["far_spurious"] = c.far_spurious;
   object["order_errors"] = c.order_errors;
   object["revisits"] = c.revisits;
+  object["wrong_remarks"] = c.wrong_remarks;
   object["rays_with_finding"] = c.findings;
   object["faults"] = c.faults;
   object["declined"] = c.declined;
@@ -56,6 +57,9 @@ std::string table(const campaign_plan& plan, const campaign_result& result) {
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     text += row(plan.generators[g]->name, result.by_generator[g]);
   text += row("all", result.total);
+  if (result.total.wrong_remarks != 0)
+    text += fmt::format("{} rays with a wrong distance, face or number of crossings\n",
+                        result.total.wrong_remarks);
   if (result.total.faults != 0)
     text += fmt::format("{} rays without an answer (crash, hang, exception, NaN or malformed)\n",
                         result.total.faults);
