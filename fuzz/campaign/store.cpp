@@ -45,6 +45,8 @@ json to_json(const stored_plan& p) {
               {"seed", p.seed},
               {"rays", p.rays},
               {"seconds", p.seconds},
+              {"tame", p.tame},
+              {"hangs", p.hangs},
               {"piece", p.piece},
               {"shard", p.shard},
               {"shards", p.shards}};
@@ -96,6 +98,8 @@ stored_plan read_plan_members(const read_json& object) {
   p.seed = number("seed");
   p.rays = number("rays");
   p.seconds = object.at("seconds").get<double>();
+  p.tame = object.at("tame").get<bool>();
+  p.hangs = number("hangs");
   p.piece = number("piece");
   p.shard = number("shard");
   p.shards = number("shards");
@@ -141,7 +145,8 @@ finished_piece read_piece(std::string_view text, const stored_plan& plan) {
     auto hash = shown.at("hash").get<std::string>();
     if (!support::is_content_hash(hash)) // it is a file's name, and stands in the page
       refuse("the hash of a finding is not 32 hex digits");
-    p.findings.push_back({std::move(hash), *kind, shown.at("ray").get<std::uint64_t>()});
+    p.findings.push_back({std::move(hash), *kind, shown.at("ray").get<std::uint64_t>(),
+                          shown.at("tame").get<bool>()});
   }
   return p;
 }
@@ -258,7 +263,8 @@ bool campaign_state::add(const finished_piece& p) {
   for (std::size_t g = 0; g < p.by_generator.size(); ++g)
     by_generator[g] += p.by_generator[g];
   for (const sighting& s : p.findings) {
-    auto& known = findings.try_emplace(s.hash, known_finding{s.kind, s.ray, 0}).first->second;
+    auto& known =
+        findings.try_emplace(s.hash, known_finding{s.kind, s.ray, 0, s.tame}).first->second;
     known.ray = std::min(known.ray, s.ray);
     ++known.pieces;
   }
@@ -273,7 +279,8 @@ std::string to_json_line(const finished_piece& p) {
     line["counts"].push_back(std::bit_cast<count_row>(c));
   line["findings"] = json::array();
   for (const sighting& s : p.findings)
-    line["findings"].push_back({{"hash", s.hash}, {"kind", name_of(s.kind)}, {"ray", s.ray}});
+    line["findings"].push_back(
+        {{"hash", s.hash}, {"kind", name_of(s.kind)}, {"ray", s.ray}, {"tame", s.tame}});
   return line.dump();
 }
 
@@ -315,7 +322,8 @@ std::string difference(const stored_plan& there, const stored_plan& wanted,
 
 const std::vector<std::string>& common_members() {
   static const std::vector<std::string> members{"traversal", "external", "generators", "search",
-                                                "level",     "seed",     "rays",       "piece"};
+                                                "level",     "seed",     "rays",       "tame",
+                                                "hangs",     "piece"};
   return members;
 }
 
