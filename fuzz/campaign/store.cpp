@@ -23,8 +23,14 @@ namespace files = std::filesystem;
 
 json to_json(const std::optional<external_options>& e) {
   return e ? json{{"promise", e->promised ? json(name_of(*e->promised)) : json()},
+                  {"cells", e->cells ? json(name_of(*e->cells)) : json()},
+                  {"segments", e->segments ? json(*e->segments) : json()},
+                  {"tolerance", e->tolerance ? json(*e->tolerance) : json()},
+                  {"batch", e->batch},
                   {"plain", e->format == line_format::plain},
+                  {"bits", e->format == line_format::bits},
                   {"float", e->as_float},
+                  {"received", e->needs_received},
                   {"timeout", e->seconds_a_ray}}
            : json();
 }
@@ -39,6 +45,8 @@ json to_json(const stored_plan& p) {
               {"seed", p.seed},
               {"rays", p.rays},
               {"seconds", p.seconds},
+              {"tame", p.tame},
+              {"hangs", p.hangs},
               {"piece", p.piece},
               {"shard", p.shard},
               {"shards", p.shards}};
@@ -62,8 +70,22 @@ external_options read_external(const read_json& object, std::string command) {
     if (!e.promised)
       throw std::invalid_argument("there is no such promise");
   }
-  e.format = object.at("plain").get<bool>() ? line_format::plain : line_format::json;
+  if (const read_json cells = object.value("cells", read_json()); !cells.is_null()) {
+    e.cells = cell_kind_of(cells.get<std::string>());
+    if (!e.cells)
+      throw std::invalid_argument("there are no such cells");
+  }
+  if (const read_json segments = object.value("segments", read_json()); !segments.is_null())
+    e.segments = segments.get<bool>();
+  if (const read_json ulps = object.value("tolerance", read_json()); !ulps.is_null())
+    e.tolerance = ulps.get<double>();
+  e.batch = object.value("batch", std::uint64_t{0});
+  if (object.at("plain").get<bool>())
+    e.format = line_format::plain;
+  else if (object.value("bits", false))
+    e.format = line_format::bits;
   e.as_float = object.at("float").get<bool>();
+  e.needs_received = object.value("received", false);
   e.seconds_a_ray = object.at("timeout").get<double>();
   return e;
 }
@@ -81,6 +103,8 @@ stored_plan read_plan_members(const read_json& object) {
   p.seed = number("seed");
   p.rays = number("rays");
   p.seconds = object.at("seconds").get<double>();
+  p.tame = object.at("tame").get<bool>();
+  p.hangs = number("hangs");
   p.piece = number("piece");
   p.shard = number("shard");
   p.shards = number("shards");
@@ -127,7 +151,8 @@ finished_piece read_piece(std::string_view text, const stored_plan& plan) {
     auto hash = shown.at("hash").get<std::string>();
     if (!support::is_content_hash(hash)) // it is a file's name, and stands in the page
       refuse("the hash of a finding is not 32 hex digits");
-    p.findings.push_back({std::move(hash), *kind, read_count(shown.at("ray"), "ray")});
+    p.findings.push_back({std::move(hash), *kind, read_count(shown.at("ray"), "ray"),
+                          shown.at("tame").get<bool>()});
   }
   return p;
 }
@@ -244,7 +269,8 @@ bool campaign_state::add(const finished_piece& p) {
   for (std::size_t g = 0; g < p.by_generator.size(); ++g)
     by_generator[g] += p.by_generator[g];
   for (const sighting& s : p.findings) {
-    auto& known = findings.try_emplace(s.hash, known_finding{s.kind, s.ray, 0}).first->second;
+    auto& known =
+        findings.try_emplace(s.hash, known_finding{s.kind, s.ray, 0, s.tame}).first->second;
     known.ray = std::min(known.ray, s.ray);
     ++known.pieces;
   }
@@ -259,7 +285,8 @@ std::string to_json_line(const finished_piece& p) {
     line["counts"].push_back(std::bit_cast<count_row>(c));
   line["findings"] = json::array();
   for (const sighting& s : p.findings)
-    line["findings"].push_back({{"hash", s.hash}, {"kind", name_of(s.kind)}, {"ray", s.ray}});
+    line["findings"].push_back(
+        {{"hash", s.hash}, {"kind", name_of(s.kind)}, {"ray", s.ray}, {"tame", s.tame}});
   return line.dump();
 }
 
@@ -301,7 +328,8 @@ std::string difference(const stored_plan& there, const stored_plan& wanted,
 
 const std::vector<std::string>& common_members() {
   static const std::vector<std::string> members{"traversal", "external", "generators", "search",
-                                                "level",     "seed",     "rays",       "piece"};
+                                                "level",     "seed",     "rays",       "tame",
+                                                "hangs",     "piece"};
   return members;
 }
 

@@ -5,14 +5,24 @@
 
 namespace graze::fuzz {
 
+/// What the user asks for. What is left open is as the traversal's first line says, or else as
+/// here.
 struct external_options {
-  std::string command;             ///< for sh -c
-  std::optional<promise> promised; ///< instead of what it says itself; else `crossed`
-  double seconds_a_ray = 2;        ///< a longer silence is a hang
-  double start_seconds = 30;       ///< for its first answer of all, beyond that
+  std::string command;                     ///< for sh -c
+  std::optional<promise> promised;         ///< instead of what it says itself; else `crossed`
+  std::optional<cell_kind> cells;          ///< what its rays are sent through
+  std::optional<bool> segments;            ///< whether it is sent segments
+  cell_kind usual_cells = cell_kind::cube; ///< where neither says so
+  bool usual_segments = false;             ///< likewise
+  std::optional<double> tolerance;         ///< of t and distance, in ulps
+  std::uint64_t batch = 0;                 ///< requests a message; 0: as it says, or one by one
+  double seconds_a_ray = 2;                ///< a longer silence is a hang
+  double start_seconds = 30;               ///< for its first answer of all, beyond that
   line_format format = line_format::json;
-  bool as_float = false;    ///< rays are rounded to float before they are sent, and judged so
-  bool show_errors = false; ///< its standard error is ours
+  bool as_float =
+      false; ///< rays and boxes are rounded to float before they are sent, and judged so
+  bool needs_received = false; ///< an answer without the ray that was received is malformed
+  bool show_errors = false;    ///< its standard error is ours
 };
 
 /// The traversal behind a command; each that is made has a process of its own, started when it is
@@ -22,13 +32,17 @@ struct external_options {
 /// moment of the machine, must not be blamed on others). A fault that does not come again is booked
 /// on the last of them, unless it was a hang.
 ///
-/// The command is tried with one ray first: refused, with the reason, when it gives no answer to
-/// it.
+/// The command is tried with one ray first: refused, with the reason, when it gives no answer to it,
+/// gives hard_numbers() back as others, or says in its first line what is not known or contradicts the
+/// options. What it says there holds for the traversal. The entry's `notices` are for the user.
 expected<traversal_entry> external_traversal(const external_options& options);
 
 /// The same, not tried: for a program that is known to be there. Its promise is given.
 traversal_entry untried_external_traversal(const external_options& options, std::string_view name,
                                            std::string_view summary);
+
+/// The numbers that a traversal in float works on: the ray, the segment's end and the boxes of t, rounded.
+received_ray rounded_to_float(const trial& t);
 
 /// As one word of a shell's command line.
 std::string shell_word(std::string_view text);

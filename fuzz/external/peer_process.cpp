@@ -15,9 +15,6 @@ namespace graze::fuzz {
 
 namespace {
 
-/// No answer is as long: a voxel is 60 bytes at most, and a line through 2^16 octants is enough.
-constexpr std::size_t longest_line = std::size_t{1} << 23;
-
 void close_end(int& end) {
   if (end >= 0)
     close(end);
@@ -250,7 +247,7 @@ peer_process::outcome peer_process::read_line(std::string& line, clock::time_poi
       return outcome::line;
     }
     searched = buffer_.size();
-    if (searched - read_ > longest_line)
+    if (searched - read_ > longest_line_)
       return outcome::too_long;
     if (closed_)
       return outcome::ended;

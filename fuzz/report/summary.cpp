@@ -19,17 +19,18 @@ campaign_result result_of(const merged_campaign& m) {
   r.total = m.state.total();
   r.seconds = m.state.elapsed;
   r.first.resize(r.by_generator.size());
+  r.first_tame.resize(r.by_generator.size());
   return r;
 }
 
-/// Most serious first, then by the lowest ray.
+/// Tame ones first, most serious first, then by the lowest ray.
 std::vector<std::pair<std::string, campaign_state::known_finding>>
 sorted_findings(const merged_campaign& m) {
   std::vector<std::pair<std::string, campaign_state::known_finding>> all(m.state.findings.begin(),
                                                                          m.state.findings.end());
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.second.kind, a.second.ray, a.first) <
-           std::tie(b.second.kind, b.second.ray, b.first);
+    return std::tuple(!a.second.tame, a.second.kind, a.second.ray, a.first) <
+           std::tuple(!b.second.tame, b.second.kind, b.second.ray, b.first);
   });
   return all;
 }
@@ -76,8 +77,8 @@ std::string text_of_finding(const std::string& path) {
 std::string row(std::string_view name, const counts& c) {
   return fmt::format(
       "<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-      "<td>{}</td><td>{:.4f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-      escaped(name), c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
+      "<td>{}</td><td>{}</td><td>{:.4f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+      escaped(name), c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps, c.seams,
       c.spurious, 100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits, c.findings);
 }
 
@@ -152,6 +153,7 @@ std::string to_json(const merged_campaign& m, const campaign_plan& plan) {
                                   {"kind", name_of(known.kind)},
                                   {"ray", known.ray},
                                   {"pieces", known.pieces},
+                                  {"tame", known.tame},
                                   {"file", m.files.at(hash)}});
   return support::json_line(object);
 }
@@ -171,7 +173,8 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
                                : fmt::format("{} findings after shrinking, on {} rays",
                                              m.state.findings.size(), total.findings));
   page += "<table>\n<tr><th>generator</th><th>rays</th><th>touched</th><th>misses</th>"
-          "<th>crossed</th><th>gross</th><th>gaps</th><th>spurious</th><th>% of visits</th>"
+          "<th>crossed</th><th>gross</th><th>gaps</th><th>seams</th><th>spurious</th><th>% of "
+          "visits</th>"
           "<th>far</th>"
           "<th>order</th><th>revisit</th><th>rays with a finding</th></tr>\n";
   for (std::size_t g = 0; g < plan.generators.size(); ++g)

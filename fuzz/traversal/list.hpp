@@ -12,7 +12,8 @@ struct traversal_entry {
   std::string_view name;
   std::string_view summary;
   std::function<std::unique_ptr<traversal>()> make;
-  std::string options{}; ///< how a user asks for it; empty: "--traversal NAME"
+  std::string options{};              ///< how a user asks for it; empty: "--traversal NAME"
+  std::vector<std::string> notices{}; ///< lines for the user
 
   /// One that is made again after each exception, which may leave it in any state: its visit()
   /// tells what is thrown, by making it too, as fault::exception and throws nothing. The first is

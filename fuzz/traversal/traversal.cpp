@@ -37,9 +37,18 @@ template <class F> bool guard(visited& out, const F& f) {
 class made_again final : public traversal {
 public:
   explicit made_again(std::function<std::unique_ptr<traversal>()> make)
-      : make_(std::move(make)), now_(make_()), name_(now_->name()), promises_(now_->promises()) {}
+      : make_(std::move(make)), now_(make_()), name_(now_->name()), promises_(now_->promises()),
+        tolerance_(now_->tolerance()), at_once_(now_->at_once()) {
+    for (unsigned k = 0; k < takes_.size(); ++k)
+      takes_[k] = now_->takes(static_cast<cell_kind>(k / 2), k % 2 != 0);
+  }
   [[nodiscard]] std::string_view name() const override { return name_; }
   [[nodiscard]] promise promises() const override { return promises_; }
+  [[nodiscard]] bool takes(cell_kind cells, bool segment) const override {
+    return takes_[2 * static_cast<unsigned>(cells) + (segment ? 1 : 0)];
+  }
+  [[nodiscard]] std::optional<double> tolerance() const override { return tolerance_; }
+  [[nodiscard]] std::size_t at_once() const override { return at_once_; }
 
   void visit(const trial& t, visited& out) override {
     const bool well = guard(out, [&] {
@@ -52,6 +61,11 @@ public:
   }
 
   std::size_t visit_some(std::span<const trial> trials, std::span<visited> out) override {
+    if (!takes(trials[0].cells(), trials[0].end.has_value())) {
+      out[0].clear();
+      out[0].decline();
+      return 1;
+    }
     if (now_) {
       std::size_t answered = 0;
       visited answer;
@@ -73,6 +87,9 @@ private:
   std::unique_ptr<traversal> now_;
   std::string name_;
   promise promises_;
+  std::array<bool, std::size_t{2} * cell_kinds> takes_{};
+  std::optional<double> tolerance_;
+  std::size_t at_once_;
 };
 
 } // namespace
@@ -102,7 +119,8 @@ std::string_view name_of(promise p) {
 
 std::optional<promise> promise_of(std::string_view name) {
   for (const promise p : {promise::touched, promise::owned, promise::crossed,
-                          promise::exactly_touched, promise::exactly_owned})
+                          promise::exactly_touched, promise::exactly_owned, promise::first,
+                          promise::first_touched, promise::any, promise::count})
     if (name_of(p) == name)
       return p;
   return std::nullopt;
@@ -119,6 +137,8 @@ std::size_t traversal::visit_some(std::span<const trial> trials, std::span<visit
 
 void ask(traversal& under_test, const trial& t, visited& out) {
   out.clear();
+  if (!under_test.takes(t.cells(), t.end.has_value()))
+    return out.decline();
   guard(out, [&] { under_test.visit(t, out); });
 }
 

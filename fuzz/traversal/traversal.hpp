@@ -45,10 +45,11 @@ std::optional<promise> promise_of(std::string_view name);
 enum class fault : std::uint8_t { none, crash, hang, exception, malformed, not_a_number };
 
 /// The ray that a traversal really works on, where it is not the one it was given; of a segment its
-/// far end.
+/// far end; the boxes, where they are others.
 struct received_ray {
   vec3 origin, direction;
   std::optional<vec3> end{};
+  std::shared_ptr<const std::vector<octree::box>> boxes{};
 };
 
 /// A face of a box: axis and side.
@@ -99,6 +100,11 @@ public:
     fail(fault::exception);
     thrown_ = std::move(what);
   }
+  /// What was answered is no answer, and `why`: a line of ASCII.
+  void fail_by_form(std::string why) {
+    fail(fault::malformed);
+    thrown_ = std::move(why);
+  }
   /// The traversal does not take this trial (it cannot represent it): nothing is judged.
   void decline() { declined_ = true; }
   /// The answer is for this ray: it is judged on it. One that is not a ray (a direction that became
@@ -114,7 +120,7 @@ public:
   [[nodiscard]] bool repeated() const { return repeated_; }
   [[nodiscard]] bool outside() const { return outside_; }
   [[nodiscard]] fault failed() const { return fault_; }
-  /// What the exception says, where that is the fault: a line of ASCII.
+  /// What the exception says, or what is malformed, where that is the fault: a line of ASCII.
   [[nodiscard]] const std::string& thrown() const { return thrown_; }
   [[nodiscard]] bool declined() const { return declined_; }
   [[nodiscard]] const std::optional<received_ray>& received() const { return received_; }
@@ -140,6 +146,10 @@ struct traversal {
   [[nodiscard]] virtual bool takes(cell_kind cells, bool segment) const {
     return cells == cell_kind::cube && !segment;
   }
+  /// By how many ulps of double t and distance may be off; nothing where nobody has said so.
+  [[nodiscard]] virtual std::optional<double> tolerance() const { return std::nullopt; }
+  /// So many trials at a time suit it.
+  [[nodiscard]] virtual std::size_t at_once() const { return 64; }
   /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in
   /// order. `t` has passed judgeable(). What it throws is told as fault::exception by ask().
   virtual void visit(const trial& t, visited& out) = 0;

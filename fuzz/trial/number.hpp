@@ -55,7 +55,13 @@ inline double scaled(double x, int exponent) {
 /// The exact spelling of x, "0x1.8p-3".
 std::string hex(double x);
 
-/// Reads a whole string as a finite number, hex float or decimal; nothing else is accepted.
+/// The 64 bits of x, sign first, as 16 hex digits: "3ff8000000000000" for 1.5.
+std::string bits_of(double x);
+/// The number of 16 hex digits, infinities and NaNs included; nothing for any other text.
+std::optional<double> number_of_bits(std::string_view text);
+
+/// Reads a whole string as a finite number: 16 hex digits are its bits; any other text a hex float or a
+/// decimal. Nothing else is accepted.
 std::optional<double> parse_number(std::string_view text);
 
 } // namespace graze::fuzz

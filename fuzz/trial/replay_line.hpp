@@ -1,13 +1,19 @@
 #pragma once
-/// Replay files: JSON lines, one ray and one octant (or small block of octants) a line.
+/// Replay files: JSON lines, one ray or segment and its cells a line.
 ///
 ///   {"origin":["0x1p-2","0x0p+0","0x1p-1"],"direction":["0x0p+0","0x1p+0","0x0p+0"],
 ///    "octant":{"lo":["0x0p+0","0x0p+0","0x0p+0"],"size":"0x1p-1"},
 ///    "root":{"lo":["0x0p+0","0x0p+0","0x0p+0"],"size":"0x1p+0"}}
 ///
-/// Numbers are hex floats in strings; decimal strings and JSON numbers are read too. `root` may be
-/// left out ([0,1]^3). `"extent":[x,y,z]`, 1..4 each, makes it a block whose first octant is
-/// `octant` (an order error needs two). Other members (a comment, a name) are left alone.
+/// Numbers are hex floats in strings; decimal strings, JSON numbers, and strings of 16 hex digits, which
+/// are the bits of a double, are read too. `"end":[3]` in place of `direction` makes it a segment.
+/// The cells are one of
+///   `octant`, with `root` ([0,1]^3 where it is left out) and `"extent":[x,y,z]`, 1..4 each, which makes
+///       it a block whose first octant is `octant` (an order error needs two);
+///   `"grid":{"origin":[3],"spacing":[3],"count":[3],"planes":"rounded"}` (a name of plane_rule) or
+///       `"grid":{"planes":[[...],[...],[...]]}`, with `"voxel":[i,j,k]` and `extent` as above;
+///   `"box":{"lo":[3],"hi":[3]}` or `"boxes":[...]`, up to 64 of them.
+/// Remarks may be in `comment` and `name`; any other member is refused.
 #include <string>
 #include <trial/trial.hpp>
 #include <vector>
@@ -19,6 +25,11 @@ std::string to_json_line(const trial& t);
 
 /// Reads one line; the reason says what is wrong with it.
 expected<trial> from_json_line(std::string_view line);
+
+/// A grid alone, as the member `grid` of a line.
+std::string grid_text(const grid_planes& grid);
+/// Reads it; the reason says what is wrong with it.
+expected<grid_planes> grid_from_text(std::string_view text);
 
 struct replay_case {
   std::size_t line; ///< its number in the file, from 1

@@ -6,18 +6,17 @@
 #include <graze/expected.hpp>
 #include <graze/octree/box.hpp>
 #include <graze/octree/cube.hpp>
-#include <graze/octree/plane_rule.hpp>
 #include <graze/octree/ray.hpp>
 #include <graze/support/status.hpp>
 #include <memory>
 #include <optional>
+#include <trial/grid.hpp>
 #include <trial/number.hpp>
 #include <vector>
 
 namespace graze::fuzz {
 
 using octree::cube;
-using octree::vec3;
 
 /// The largest block: 4 x 4 x 4 octants, so that a set of them is 64 bits.
 inline constexpr unsigned max_extent = 4;
@@ -39,21 +38,8 @@ inline std::array<std::string, 3> hex(const vec3& v) { return {hex(v[0]), hex(v[
 enum class cell_kind : std::uint8_t { cube, grid, boxes };
 inline constexpr unsigned cell_kinds = 3;
 
-/// Most voxels an axis of a grid.
-inline constexpr std::uint32_t max_count = std::uint32_t{1} << 20;
 /// Most boxes of a list, so that a set of them is an octant_set.
 inline constexpr std::size_t max_boxes = 64;
-
-/// The planes of a grid: by a rule from origin, spacing and count, or, where the rule is `given`, three
-/// increasing arrays. An axis of spacing 0 and count 1, or of one given plane, is flat.
-struct grid_planes {
-  vec3 origin{}, spacing{1, 1, 1};
-  std::array<std::uint32_t, 3> count{1, 1, 1}; ///< voxels an axis, 1..max_count
-  octree::plane_rule rule = octree::plane_rule::exact;
-  std::array<std::vector<double>, 3> given; ///< count + 1 planes an axis, one on a flat axis
-
-  friend bool operator==(const grid_planes&, const grid_planes&) = default;
-};
 
 /// A ray or a segment, and cells: the occupied octants of one level of a root cube (`extent` of them
 /// from index `base` on), such a block of a grid's voxels, or a list of boxes, whose places in the list
@@ -74,35 +60,50 @@ struct trial {
   [[nodiscard]] cell_kind cells() const {
     return boxes ? cell_kind::boxes : (grid ? cell_kind::grid : cell_kind::cube);
   }
+  /// An octant's edge.
   [[nodiscard]] double size() const { return scaled(root.size, -level); }
+  /// Octants or voxels an axis of the whole grid; a flat axis has one.
+  [[nodiscard]] std::uint64_t count(unsigned axis) const {
+    return grid ? grid->count[axis] : std::uint64_t{1} << level;
+  }
+  /// Whether the voxels' two faces on this axis are one plane.
+  [[nodiscard]] bool flat(unsigned axis) const { return grid && grid->flat(axis); }
   /// Plane `index` of the level's grid, 0 <= index <= 2^level; an exact double. Counted from the
-  /// middle, as root_cube::octant does: from the corner it would be rounded on some roots.
+  /// middle, as root_cube::octant does: from the corner it would be rounded on some roots. Of a grid
+  /// of any planes its plane; the nearest double where the rule is exact.
   [[nodiscard]] double grid_plane(int axis, std::uint64_t index) const {
+    if (grid)
+      return nearest_plane(*grid, static_cast<unsigned>(axis), static_cast<std::uint32_t>(index));
     if (level == 0)
       return index == 0 ? root.lo[axis] : root.hi(axis);
     const auto half = std::int64_t{1} << (level - 1);
     return root.mid(axis) + static_cast<double>(static_cast<std::int64_t>(index) - half) * size();
   }
-  /// The k-th plane of the block on an axis, 0 <= k <= extent; an exact double.
+  /// The k-th plane of the block on an axis, 0 <= k <= extent; as grid_plane.
   [[nodiscard]] double plane(int axis, unsigned k) const {
     return grid_plane(axis, base[axis] + k);
   }
+  /// Of a cube's octants.
   [[nodiscard]] cube octant(octant_number v) const {
     return {{plane(0, v & 3u), plane(1, v >> 2 & 3u), plane(2, v >> 4)}, size()};
   }
-  /// Bit a is set where the block ends at the root's far face of axis a.
+  /// The closed box of an octant, a voxel (as grid_plane), or the list's box of this place.
+  [[nodiscard]] octree::box cell(octant_number v) const;
+  /// Bit a is set where the block ends at the far face of axis a of the root or grid.
   [[nodiscard]] unsigned at_far_face() const {
     unsigned faces = 0;
     for (int a = 0; a < 3; ++a)
-      if (base[a] + extent[a] == std::uint64_t{1} << level)
+      if (base[a] + extent[a] == count(static_cast<unsigned>(a)))
         faces |= 1u << a;
     return faces;
   }
-  /// Bit a is set where the block starts at the root's near face of axis a.
+  /// Bit a is set where the block starts at the near face of axis a.
   [[nodiscard]] unsigned at_near_face() const {
     return (base[0] == 0 ? 1u : 0u) | (base[1] == 0 ? 2u : 0u) | (base[2] == 0 ? 4u : 0u);
   }
   [[nodiscard]] octant_set all() const {
+    if (boxes)
+      return boxes->size() >= max_boxes ? ~octant_set{0} : (octant_set{1} << boxes->size()) - 1;
     octant_set set = 0;
     for (unsigned z = 0; z < extent[2]; ++z)
       for (unsigned y = 0; y < extent[1]; ++y)
@@ -114,14 +115,22 @@ struct trial {
   friend bool operator==(const trial& a, const trial& b);
 };
 
-/// Whether a trial can be judged, or why not: a ray that is not one, a block outside its root, octants
-/// that are not exact doubles.
+/// Whether a trial can be judged, or why not: a ray or segment that is not one, a block outside its root
+/// or grid, octants that are not exact doubles, planes that are not finite and increasing, boxes that are
+/// not finite with lo <= hi.
 support::status judgeable(const trial& t);
+
+/// The trial of the segment from `origin` to `end`, its cells as t's.
+trial with_end(const trial& t, const vec3& origin, const vec3& end);
+/// The trial of the ray, its cells as t's.
+trial with_ray(const trial& t, const vec3& origin, const vec3& direction);
 
 /// The trial of a single octant given by its corner and size. Refuses an octant that is not one of
 /// the root's octree, and what is not judgeable().
 expected<trial> trial_of_octant(const vec3& origin, const vec3& direction, const cube& octant,
                                 const cube& root,
                                 const std::array<std::uint8_t, 3>& extent = {1, 1, 1});
+/// The same for the ray or segment and the extent of `line`.
+expected<trial> trial_of_octant(const trial& line, const cube& octant, const cube& root);
 
 } // namespace graze::fuzz

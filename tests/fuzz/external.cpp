@@ -2,6 +2,7 @@
 /// going wrong is told, on the ray that brings it on.
 #include "../support/program.hpp"
 #include "campaign_of.hpp"
+#include <campaign/hint.hpp>
 #include <external/external.hpp>
 #include <filesystem>
 #include <fstream>
@@ -106,7 +107,13 @@ TEST_CASE("fuzz.external: a right peer is judged as the traversal behind it, in 
     const counts here = campaign(*find_traversal("sound"), 2000, 1, level).total;
     external_options plain = peer("right");
     plain.format = line_format::plain;
-    for (const external_options& options : {peer("right"), plain, peer("around")}) {
+    external_options bits = plain, batch = plain;
+    bits.format = line_format::bits;
+    batch.batch = 30;
+    for (const external_options& options :
+         {peer("right"), plain, bits, batch, peer("around"), peer("hello-bits"),
+          peer("hello-batch"), peer("hello-plain-batch")}) {
+      INFO(options.command);
       const traversal_entry entry = started(options);
       CHECK(campaign(entry, 2000, 1, level).total == here);
       CHECK(campaign(entry, 2000, 3, level).total == here);
@@ -206,6 +213,10 @@ TEST_CASE("fuzz.external: the promise is the peer's first word, or the user's", 
   CHECK(started(options).make()->promises() == promise::crossed);
 }
 
+TEST_CASE("fuzz.external: a first line that comes late still says what is asked", "[unit]") {
+  CHECK(campaign(started(peer("hello-late")), 100, 1).total.findings == 0);
+}
+
 TEST_CASE("fuzz.external: a command that answers nothing is refused with the reason", "[unit]") {
   const auto text_sleeps = [](const std::string& text) { return text.starts_with("sleep"); };
   const auto why = [&](std::string text) {
@@ -222,6 +233,9 @@ TEST_CASE("fuzz.external: a command that answers nothing is refused with the rea
   CHECK(why("echo hello").find("\"hello\"") != std::string::npos);
   CHECK(why("sleep 1000").find("does it flush") != std::string::npos);
   CHECK(why(peer("hello-wrong").command).find("\"the moon\"") != std::string::npos);
+  CHECK(why(peer("hello-unknown").command).find("\"speed\"") != std::string::npos);
+  CHECK(why(peer("misspells").command).find("the member \"visted\" is unknown") !=
+        std::string::npos);
   CHECK(no_process_left());
 }
 
@@ -232,7 +246,7 @@ TEST_CASE("fuzz.external: answers are read in every spelling, and wrong ones ref
   t.extent = {2, 2, 2};
   const auto read = [&](std::string_view line) {
     visited out;
-    read_answer(line, t, 7, out);
+    read_answer(line, t, 7, {}, out);
     return out;
   };
   const octant_set two = octant_set{1} << octant_at(0, 0, 0) | octant_set{1} << octant_at(1, 1, 0);
@@ -250,12 +264,33 @@ TEST_CASE("fuzz.external: answers are read in every spelling, and wrong ones ref
     CHECK(read(line).set() == 0);
   }
   for (const char* line :
-       {"[", "[1]", "[[1,2]]", "[[1,2,3,4]]", R"([["1",2,3]])", "[[0.5,1,1]]", "{}", "1 2", "a",
-        "null", "2 4 6 3", "2 4 6 received 1 2 3", "2 4 6 received 1 2 3 4 5 6 7",
-        R"({"id":8,"visited":[]})", R"({"visited":7})", R"({"visited":[],"received":[1,2]})",
-        R"({"visited":[],"received":{"origin":[0,0,0],"direction":["x",0,0]}})", "[[1e999,0,0]]"}) {
+       {R"({"visted":[]})",
+        R"({"visited":[],"hit":true})",
+        R"({"first":[2,4,6]})",
+        R"({"visited":[],"received":{"origin":[0,0,0],"direction":[1,0,0],"up":1}})",
+        "true",
+        "t 1",
+        "[",
+        "[1]",
+        "[[1,2]]",
+        "[[1,2,3,4]]",
+        R"([["1",2,3]])",
+        "[[0.5,1,1]]",
+        "{}",
+        "1 2",
+        "a",
+        "null",
+        "2 4 6 3",
+        "2 4 6 received 1 2 3",
+        "2 4 6 received 1 2 3 4 5 6 7",
+        R"({"id":8,"visited":[]})",
+        R"({"visited":7})",
+        R"({"visited":[],"received":[1,2]})",
+        R"({"visited":[],"received":{"origin":[0,0,0],"direction":["x",0,0]}})",
+        "[[1e999,0,0]]"}) {
     INFO(line);
     CHECK(read(line).failed() == fault::malformed);
+    CHECK_FALSE(read(line).thrown().empty());
   }
   for (const char* line :
        {"[[NaN,1,1]]", "[[null,1,1]]", "nan 1 1",
@@ -273,6 +308,239 @@ TEST_CASE("fuzz.external: answers are read in every spelling, and wrong ones ref
   // the ray that was received has no direction: nothing to judge
   CHECK(judge_answer(t, read("received 0 0 0 0 0 0"), promise::touched).declined);
   CHECK(judge_answer(t, read("received 0 0 0 inf 0 0"), promise::touched).declined);
+}
+
+namespace {
+
+trial three_boxes() {
+  trial t;
+  t.boxes = std::make_shared<const std::vector<graze::octree::box>>(std::vector<graze::octree::box>{
+      {{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}, {{-1, -1, 1}, {1, 1, 1}}});
+  return t;
+}
+
+visited answered(std::string_view line, const trial& t, const answer_form& form) {
+  visited out;
+  out.clear();
+  read_answer(line, t, 7, form, out);
+  INFO(line << ": " << out.thrown());
+  CHECK((out.failed() == fault::malformed) == !out.thrown().empty());
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("fuzz.external: boxes are told by their places", "[unit]") {
+  const trial t = three_boxes();
+  for (const char* line : {"[2,0]", R"({"visited":[2,0]})", "2 0", " 2  0.0 "}) {
+    const visited out = answered(line, t, {});
+    CHECK(out.failed() == fault::none);
+    CHECK(out.set() == 5u);
+    CHECK(out[0] == 2);
+  }
+  for (const char* line : {"[3]", "-1", "3"})
+    CHECK(answered(line, t, {}).outside());
+  for (const char* line : {"[[0,0,0]]", "[0.5]", R"(["0"])"})
+    CHECK(answered(line, t, {}).failed() == fault::malformed);
+  CHECK(answered("[null]", t, {}).failed() == fault::not_a_number);
+}
+
+TEST_CASE("fuzz.external: a first hit, its distance and face, whether there is one, a count",
+          "[unit]") {
+  const trial t = three_boxes();
+  const answer_form first{promise::first, true, false};
+  for (const char* line : {R"({"first":1,"t":0.5,"distance":"0x1p+1","face":"-x","id":7})",
+                           "1 t 0x1p-1 distance 2 face -x id 7",
+                           "1 t 3fe0000000000000 distance 4000000000000000 face -x"}) {
+    const visited out = answered(line, t, first);
+    CHECK(out.failed() == fault::none);
+    CHECK(out.set() == 2u);
+    CHECK(out.said().t == 0.5);
+    CHECK(out.said().distance == 2.0);
+    CHECK(out.said().entered == face{0, false});
+    CHECK_FALSE(out.said().no_face);
+  }
+  for (const char* line : {R"({"first":null,"t":null,"face":null})", "none", "null", "", "[]"}) {
+    const visited out = answered(line, t, first);
+    CHECK(out.failed() == fault::none);
+    CHECK(out.size() == 0);
+    CHECK_FALSE(out.said().t);
+  }
+  CHECK(answered(R"({"first":0,"face":null})", t, first).said().no_face);
+  CHECK(answered("0 face none", t, first).said().no_face);
+  CHECK(answered("[2,1,0]", t, first).set() == 4u); // of a list the first
+  for (const char* line : {R"({"first":0,"t":null})", "0 t nan", "0 distance inf"})
+    CHECK(answered(line, t, first).failed() == fault::not_a_number);
+  for (const char* line : {R"({"t":1})", R"({"first":0,"hit":true})", R"({"first":0,"face":"x"})",
+                           "0 face up", "0 speed 3", "0 t", R"({"first":[0,0,0]})"})
+    CHECK(answered(line, t, first).failed() == fault::malformed);
+
+  const answer_form any{promise::any, false, false}, count{promise::count, false, false};
+  for (const char* line : {"true", "1", R"({"hit":true})", "true id 7"})
+    CHECK(answered(line, t, any).said().hit == true);
+  for (const char* line : {"false", "0", R"({"hit":false})"})
+    CHECK(answered(line, t, any).said().hit == false);
+  for (const char* line : {"3", R"({"count":3})", "3 id 7"})
+    CHECK(answered(line, t, count).said().crossings == std::uint64_t{3});
+  for (const char* line : {"[]", "", "2", "maybe", R"({"hit":1})", R"({"count":1})"})
+    CHECK(answered(line, t, any).failed() == fault::malformed);
+  for (const char* line : {"[]", "", "true", "-1", "0.5", R"({"count":"x"})"})
+    CHECK(answered(line, t, count).failed() == fault::malformed);
+}
+
+TEST_CASE("fuzz.external: what was received of a segment is its ends, and may be asked for",
+          "[unit]") {
+  trial t;
+  t.end = vec3{1, 2, 4};
+  const answer_form form{promise::crossed, false, true};
+  for (const char* line :
+       {"0 0 0 received 0 0 0 1 2 3.5",
+        R"({"visited":[[0,0,0]],"received":{"origin":[0,0,0],"end":[1,2,"400c000000000000"]}})"}) {
+    const visited out = answered(line, t, form);
+    REQUIRE(out.received());
+    CHECK(out.received()->end == vec3{1, 2, 3.5});
+    CHECK(out.received()->direction == vec3{1, 2, 3.5});
+  }
+  CHECK(answered("0 0 0", t, form).thrown().find("--received") != std::string::npos);
+  CHECK(answered("[[0,0,0]]", t, form).failed() == fault::malformed);
+  CHECK(answered("skip", t, form).failed() == fault::none);
+  CHECK(answered(R"({"visited":[],"received":{"origin":[0,0,0],"direction":[1,0,0]}})", t, form)
+            .failed() == fault::malformed);
+}
+
+TEST_CASE("fuzz.external: a request says all doubles as decimals and as bits", "[unit]") {
+  const auto text = [](const trial& t, line_format format) {
+    std::string line;
+    append_request(line, t, 3, format);
+    CHECK(line.back() == '\n');
+    line.pop_back();
+    return line;
+  };
+  trial t = three_boxes();
+  t.origin = {0.1, -0.0, 1};
+  CHECK(text(t, line_format::json) ==
+        R"({"id":3,"origin":[0.1,-0.0,1.0],"direction":[1.0,0.0,0.0],"boxes":[)"
+        R"({"lo":[0.0,0.0,0.0],"hi":[1.0,1.0,1.0]},{"lo":[1.0,0.0,0.0],"hi":[2.0,1.0,1.0]},)"
+        R"({"lo":[-1.0,-1.0,1.0],"hi":[1.0,1.0,1.0]}],"bits":{"origin":)"
+        R"(["3fb999999999999a","8000000000000000","3ff0000000000000"],"direction":)"
+        R"(["3ff0000000000000","0000000000000000","0000000000000000"],"boxes":[)"
+        R"({"lo":["0000000000000000","0000000000000000","0000000000000000"],"hi":)"
+        R"(["3ff0000000000000","3ff0000000000000","3ff0000000000000"]},)"
+        R"({"lo":["3ff0000000000000","0000000000000000","0000000000000000"],"hi":)"
+        R"(["4000000000000000","3ff0000000000000","3ff0000000000000"]},)"
+        R"({"lo":["bff0000000000000","bff0000000000000","3ff0000000000000"],"hi":)"
+        R"(["3ff0000000000000","3ff0000000000000","3ff0000000000000"]}]}})");
+  CHECK(text(t, line_format::plain) == "3 boxes 0x1.999999999999ap-4 -0x0p+0 0x1p+0 0x1p+0 0x0p+0 "
+                                       "0x0p+0 3 0x0p+0 0x0p+0 0x0p+0 0x1p+0 "
+                                       "0x1p+0 0x1p+0 0x1p+0 0x0p+0 0x0p+0 0x1p+1 0x1p+0 0x1p+0 "
+                                       "-0x1p+0 -0x1p+0 0x1p+0 0x1p+0 0x1p+0 "
+                                       "0x1p+0");
+  t.boxes.reset();
+  graze::fuzz::grid_planes grid;
+  grid.spacing = {0.1, 0.5, 2};
+  grid.count = {3, 4, 5};
+  grid.rule = graze::octree::plane_rule::rounded;
+  t.grid = std::make_shared<const grid_planes>(grid);
+  t.base = {1, 2, 3};
+  t.end = vec3{1, 2, 3};
+  CHECK(
+      text(t, line_format::json) ==
+      R"({"id":3,"origin":[0.1,-0.0,1.0],"end":[1.0,2.0,3.0],"grid":{"origin":[0.0,0.0,0.0],)"
+      R"("spacing":[0.1,0.5,2.0],"count":[3,4,5],"planes":"rounded"},"base":[1,2,3],"extent":[1,1,1],)"
+      R"("bits":{"origin":["3fb999999999999a","8000000000000000","3ff0000000000000"],"end":)"
+      R"(["3ff0000000000000","4000000000000000","4008000000000000"],"grid":{"origin":)"
+      R"(["0000000000000000","0000000000000000","0000000000000000"],"spacing":)"
+      R"(["3fb999999999999a","3fe0000000000000","4000000000000000"]}}})");
+  CHECK(text(t, line_format::bits) ==
+        "3 grid rounded 1 2 3 1 1 1 3fb999999999999a 8000000000000000 3ff0000000000000 "
+        "3ff0000000000000 "
+        "4000000000000000 4008000000000000 0000000000000000 0000000000000000 0000000000000000 "
+        "3fb999999999999a 3fe0000000000000 4000000000000000 3 4 5");
+  grid.rule = graze::octree::plane_rule::given;
+  grid.count = {1, 1, 1};
+  grid.given = {{{0, 1}, {0.5}, {0, 0.1}}};
+  t.grid = std::make_shared<const grid_planes>(grid);
+  CHECK(
+      text(t, line_format::json).find(R"("grid":{"planes":[[0.0,1.0],[0.5],[0.0,0.1]]},"base")") !=
+      std::string::npos);
+  CHECK(text(t, line_format::plain)
+            .ends_with(" 2 1 2 0x0p+0 0x1p+0 0x1p-1 0x0p+0 0x1.999999999999ap-4"));
+}
+
+TEST_CASE("fuzz.external: a reader or writer that is wrong by an ulp is caught at the first ray",
+          "[unit]") {
+  const auto why = [](const std::string& behaviour) {
+    const auto entry = external_traversal(peer(behaviour));
+    return entry ? std::string() : entry.reason();
+  };
+  CHECK(why("right").empty());
+  // serde_json's default: the first of the numbers that it reads wrong
+  const std::string ulp = why("reads-an-ulp-off");
+  CHECK(ulp.find(
+            "1.9999999999999998 (bits 3fffffffffffffff) came back as 2 (bits 4000000000000000)") !=
+        std::string::npos);
+  CHECK(ulp.find("the strings of \"bits\"") != std::string::npos);
+  CHECK(ulp.find('\n') == std::string::npos);
+  CHECK(why("reads-floats").find("0.1 (bits 3fb999999999999a) came back") != std::string::npos);
+  CHECK(why("writes-six-digits").find("came back as") != std::string::npos);
+  const auto notices = [](const std::string& behaviour) {
+    const auto entry = external_traversal(peer(behaviour));
+    REQUIRE(entry);
+    return entry->notices;
+  };
+  CHECK(notices("right").empty());
+  REQUIRE(notices("loses-the-sign").size() == 1);
+  CHECK(notices("loses-the-sign")[0].find("-0 came back as 0") != std::string::npos);
+  REQUIRE(notices("no-echo").size() == 1);
+  CHECK(notices("no-echo")[0].find("was not checked") != std::string::npos);
+  CHECK(notices("hello-bits").empty());
+}
+
+TEST_CASE("fuzz.external: a batch with an answer too few is malformed", "[unit]") {
+  // alone each has its answer: told of the last of each batch
+  const counts c = campaign(started(peer("batch-short")), 300, 1).total;
+  CHECK(c.faults > 0);
+  CHECK(c.faults < 20);
+  std::vector<visited> answers(2);
+  const std::array<std::size_t, 2> places{0, 1};
+  const std::array<trial, 2> trials{};
+  for (visited& v : answers)
+    v.clear();
+  CHECK(read_batch(R"({"answers":[[[0,0,0]],{"visited":[],"id":8}]})", trials, places, 7, {},
+                   answers));
+  CHECK(answers[0].set() == 1u);
+  CHECK(answers[1].failed() == fault::none);
+  for (const char* line : {R"({"answers":[[]]})", "[]", "{", R"({"answers":[[],[]],"more":1})"}) {
+    for (visited& v : answers)
+      v.clear();
+    CHECK_FALSE(read_batch(line, trials, places, 7, {}, answers));
+    CHECK(answers[1].failed() == fault::malformed);
+  }
+}
+
+TEST_CASE("fuzz.external: what a first line says must not contradict the options", "[unit]") {
+  const auto why = [](const external_options& options) {
+    const auto entry = external_traversal(options);
+    return entry ? std::string() : entry.reason();
+  };
+  external_options options = peer("hello-first");
+  CHECK(why(options).find("says promise first in its first line, against --promise owned") !=
+        std::string::npos);
+  options = peer("hello-bits");
+  options.format = line_format::plain;
+  CHECK(why(options).find("says numbers bits in its first line, against --plain") !=
+        std::string::npos);
+  options = peer("hello-batch");
+  options.batch = 101;
+  CHECK(why(options).find("a batch of 100 at most in its first line, against --batch 101") !=
+        std::string::npos);
+  options = peer("hello-first");
+  options.promised.reset();
+  options.segments = true;
+  CHECK(why(options).find("says no segments") != std::string::npos);
+  options = peer("hello");
+  options.needs_received = true;
+  CHECK(why(options).find("--received") != std::string::npos);
 }
 
 TEST_CASE("graze-fuzz run --command: found, shrunk, saved and replayed", "[unit]") {
@@ -297,6 +565,31 @@ TEST_CASE("graze-fuzz run --command: found, shrunk, saved and replayed", "[unit]
   line.replace(line.find("| graze-fuzz"), 12, std::string("| ") + GRAZE_FUZZ);
   std::ofstream(dir / "paste") << line << '\n';
   CHECK(support::call("/bin/sh", dir / "paste").code == 1);
+}
+
+TEST_CASE(
+    "fuzz.external: answers for rays in float, or for directions of length 1, are told as such",
+    "[property]") {
+  const auto told = [](const std::string& behaviour, bool as_float = false) {
+    external_options options = peer(behaviour);
+    options.as_float = as_float;
+    const campaign_result result = campaign(started(options), 3000);
+    return hint_of(result.samples, promise::owned);
+  };
+  CHECK(told("float-silent") == other_ray::as_float);
+  CHECK(told("unit-silent") == other_ray::unit_direction);
+  CHECK_FALSE(told("drops")); // it is wrong for these rays too
+  CHECK_FALSE(told("right"));
+  CHECK_FALSE(told("float"));
+  CHECK_FALSE(told("drops", true));
+  const auto run = [](const std::string& behaviour, const std::string& more) {
+    return support::call(GRAZE_FUZZ, "run --rays 2000 --level 10 --no-shrink --promise owned " +
+                                         more + command(behaviour));
+  };
+  CHECK(run("float-silent", "").out.find("say --float") != std::string::npos);
+  CHECK(nlohmann::json::parse(run("float-silent", "--json ").out)["hint"] == "float");
+  CHECK(nlohmann::json::parse(run("drops", "--json ").out)["hint"].is_null());
+  CHECK(run("drops", "").out.find("--float") == std::string::npos);
 }
 
 TEST_CASE("graze-fuzz run --command: a crash is shrunk, and replayed", "[unit]") {
@@ -372,6 +665,12 @@ TEST_CASE("graze-fuzz run --command: bad input is one line and exit code 2", "[u
   support::refused(GRAZE_FUZZ, "run --command cat --timeout nan", "--timeout");
   support::refused(GRAZE_FUZZ, "run --command cat --traversal sound", "--command");
   support::refused(GRAZE_FUZZ, "run --plain", "--command");
+  support::refused(GRAZE_FUZZ, "run --command cat --plain --bits", "--plain");
+  support::refused(GRAZE_FUZZ, "run --command cat --batch 0", "--batch");
+  support::refused(GRAZE_FUZZ, "run --command cat --tolerance -1", "--tolerance");
+  const auto o = support::call(GRAZE_FUZZ, "run --rays 100 " + command("reads-an-ulp-off"));
+  CHECK(o.code == 2);
+  CHECK(o.err.find("1.9999999999999998") != std::string::npos);
 }
 
 TEST_CASE("graze-fuzz run --command: the example in Python is found to miss", "[unit]") {

@@ -85,6 +85,31 @@ TEST_CASE("fuzz.properties: one visited neighbour covers a length in their commo
   CHECK(gaps(exact, seen({o100, o010})) == 0);
 }
 
+TEST_CASE("fuzz.properties: a seam is a gap between voxels, and no other gap is one", "[unit]") {
+  const auto kinds = [](const trial& t, std::initializer_list<octant_number> answer) {
+    return judge(t, truth_of(t), seen(answer), promise::crossed);
+  };
+  // in the face x = 1/2: two voxels on either side of each half of the ray
+  const trial face = eight({0.5, 0, 0.25}, {0, 1, 0});
+  CHECK(seams(truth_of(face), seen({})) == 2);
+  CHECK(seams(truth_of(face), seen({o000})) == 1);
+  CHECK(seams(truth_of(face), seen({o100, o010})) == 0);
+  CHECK(kinds(face, {}).findings == bit(finding::seam));
+  CHECK(kinds(face, {}).seams == 2);
+  CHECK(kinds(face, {}).gaps == 0);
+  // along an edge there are four
+  CHECK(kinds(eight({0.5, 0.5, 0}, {0, 0, 1}), {}).findings == bit(finding::seam));
+  // in the root's face there is one, and nobody beyond
+  const verdict outer = kinds(eight({1, 0.25, 0.25}, {0, 1, 0}), {});
+  CHECK(outer.findings == bit(finding::gap));
+  CHECK(outer.gaps == 2);
+  CHECK(outer.seams == 0);
+  // through interiors there is no seam
+  const verdict inner = kinds(eight({0.25, 0.25, 0}, {0, 0, 1}), {});
+  CHECK(inner.seams == 0);
+  CHECK(inner.gaps == 2);
+}
+
 TEST_CASE("fuzz.properties: order counts owners only", "[unit]") {
   const truth exact = truth_of(eight({0.25, 0, 0.5}, {0, 1, 0})); // in the mid-plane z = 1/2
   CHECK(exact.owned == set_of({o001, o011}));
@@ -217,7 +242,7 @@ TEST_CASE("fuzz.properties: each kind of finding is found, by itself", "[unit]")
   const trial edge = eight({0.5, 0.5, 0}, {0, 0, 1});
   const octant_number o110 = octant_at(1, 1, 0), o101 = octant_at(1, 0, 1);
   CHECK(found(edge, {o110, o111}, promise::owned) == 0u);
-  CHECK(found(edge, {}, promise::crossed) == bit(finding::gap));
+  CHECK(found(edge, {}, promise::crossed) == bit(finding::seam));
   CHECK(found(edge, {o000, o111}, promise::crossed) == 0u);
   CHECK(found(edge, {o110, o111}, promise::touched) == bit(finding::miss));
   CHECK(found(edge, {o000, o111}, promise::owned) == bit(finding::miss));

@@ -78,3 +78,105 @@ TEST_CASE("fuzz.block_tree: its leaves are the block's octants, each once", "[un
     REQUIRE(visits == std::popcount(t.all()));
   }
 }
+
+namespace {
+trial in_grid(const grid_planes& g) {
+  trial t;
+  t.grid = std::make_shared<const grid_planes>(g);
+  return t;
+}
+std::string why(const trial& t) { return judgeable(t).reason(); }
+std::string why(const grid_planes& g) { return why(in_grid(g)); }
+} // namespace
+
+TEST_CASE("fuzz.trial: planes that are not finite or not increasing are refused with a way out",
+          "[unit]") {
+  using enum plane_rule;
+  CHECK(why(grid_planes{{-10, 0, 1e6}, {0.1, 25.2165, 1e-7}, {200, 1 << 20, 7}, rounded, {}}) ==
+        "");
+  CHECK(why(grid_planes{{0, 0, 0}, {0.1, 0, 0.1}, {5, 1, 5}, added, {}}) == ""); // flat on y
+  for (const plane_rule rule : {rounded, multiplied, added}) {
+    // steps of 1/4 beyond 2^51 are lost: plane 5 is plane 4
+    const std::string reason = why(grid_planes{{0x1p53, 0, 0}, {1, 1, 1}, {3, 3, 3}, rule, {}});
+    INFO(reason);
+    CHECK(reason.starts_with("planes "));
+    CHECK(reason.find("of axis x are both 0x1p+53") != std::string::npos);
+    CHECK(reason.find("\"planes\": \"exact\"") != std::string::npos);
+  }
+  CHECK(why(grid_planes{{0x1p53, 0, 0}, {1, 1, 1}, {3, 3, 3}, exact, {}}) == "");
+  CHECK(why(grid_planes{{0, 16777216, 0}, {1, 1, 1}, {3, 3, 3}, binary32, {}})
+            .starts_with("planes 0 and 1 of axis y are both 0x1p+24: take a larger spacing"));
+  CHECK(why(grid_planes{{0, 0, 0}, {1, 1, 1e308}, {3, 3, 2}, rounded, {}}) ==
+        "plane 2 of axis z is not finite: take a larger spacing, an origin nearer to 0, or the "
+        "planes as "
+        "real numbers: \"planes\": \"exact\"");
+  CHECK(why(grid_planes{{0, 0, 0}, {1, -1, 1}, {3, 3, 2}, rounded, {}}) ==
+        "spacing of axis y is -1: take a positive one, and the lowest plane as the origin");
+  CHECK(why(grid_planes{{0, 0, 0}, {1, 0, 1}, {3, 3, 2}, rounded, {}}) ==
+        "spacing of axis y is 0: a flat axis has count 1, not 3");
+  CHECK(why(grid_planes{{0, 0, 0}, {1, 1, 1}, {3, 0, 2}, rounded, {}}) ==
+        "count of axis y is 0, outside 1..1048576: take the part of the grid that matters");
+  CHECK(why(grid_planes{{0, nan_value, 0}, {1, 1, 1}, {3, 1, 2}, rounded, {}}) ==
+        "origin and spacing of axis y are not finite");
+  CHECK(why(grid_of({{{0, 1}, {0, 0.5, 2, 3}, {-1}}})) == "");
+  CHECK(why(grid_of({{{0, 1}, {0, 0.5, 0.5, 3}, {-1}}})) ==
+        "planes 1 and 2 of axis y are both 0x1p-1: give each plane once, in increasing order");
+  CHECK(
+      why(grid_of({{{0, 1}, {0, 1}, {1, 0}}})) ==
+      "plane 1 of axis z, 0x0p+0, lies below plane 0, 0x1p+0: give each plane once, in increasing "
+      "order");
+  CHECK(why(grid_of({{{0, 1}, {}, {1, 0}}})) == "axis y has 0 planes: 1 to 1048577 are judged");
+  CHECK(why(grid_of({{{0, HUGE_VAL}, {0}, {0}}})) ==
+        "plane 1 of axis x is not finite: give each plane once, in increasing order");
+  trial outside = in_grid({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, rounded, {}});
+  outside.base = {0, 3, 0};
+  CHECK(why(outside) == "voxels lie outside the grid, which has 3 on axis y");
+}
+
+TEST_CASE("fuzz.trial: planes that are not looked at one by one are increasing", "[property]") {
+  random_stream random(7, 0);
+  for (unsigned i = 0; i < 300; ++i) {
+    grid_planes g;
+    g.rule = static_cast<plane_rule>(random.below(5));
+    for (unsigned a = 0; a < 3; ++a) {
+      g.origin[a] = std::ldexp(static_cast<double>(random.bits(53)), -random.between(0, 90));
+      g.spacing[a] = std::ldexp(static_cast<double>(random.bits(53) + 1), -random.between(40, 90));
+      g.origin[a] *= random.sign();
+      g.count[a] = 1 + random.below(2000);
+    }
+    const bool well = judgeable(g).has_value();
+    bool increasing = true;
+    for (unsigned a = 0; a < 3; ++a)
+      for (std::uint32_t k = 1; k <= g.count[a]; ++k)
+        increasing = increasing && (g.rule == plane_rule::exact ||
+                                    nearest_plane(g, a, k - 1) < nearest_plane(g, a, k));
+    REQUIRE(well == increasing);
+  }
+}
+
+TEST_CASE("fuzz.trial: segments and boxes that are none are refused", "[unit]") {
+  const trial t;
+  CHECK(why(with_end(t, {0, 0, 0}, {1, 0, 0})) == "");
+  CHECK(why(with_end(t, {1, 2, 3}, {1, 2, 3})) ==
+        "segment's end is its origin: take two points, or ask about a ray");
+  CHECK(why(with_end(t, {0, 0, 0}, {1, nan_value, 0})) == "segment end is not finite");
+  CHECK(why(with_end(t, {HUGE_VAL, 0, 0}, {1, 0, 0})) == "segment origin is not finite");
+  CHECK(why(with_end(t, {-1e308, 0, 0}, {1e308, 0, 0})) ==
+        "segment is longer than any double: take one within 2^1023");
+  CHECK(with_end(t, {0.1, 0, 0}, {0.3, 0, 0}).direction[0] == 0.3 - 0.1);
+  const auto of_boxes = [](std::vector<graze::octree::box> list) {
+    trial b;
+    b.boxes = std::make_shared<const std::vector<graze::octree::box>>(std::move(list));
+    return b;
+  };
+  CHECK(why(of_boxes({{{-1, -1, 1}, {1, 1, 1}}})) == ""); // a flat one
+  CHECK(why(of_boxes({})) == "0 boxes: lists of 1 to 64 are judged");
+  CHECK(why(of_boxes(std::vector<graze::octree::box>(65))) ==
+        "65 boxes: lists of 1 to 64 are judged");
+  CHECK(why(of_boxes({{{0, 0, 0}, {1, 1, 1}}, {{0, 2, 0}, {1, 1, 1}}})) ==
+        "box 1 has lo 0x1p+1 above hi 0x1p+0 on axis y: exchange them");
+  CHECK(why(of_boxes({{{0, 0, 0}, {1, 1, HUGE_VAL}}})) ==
+        "box 0 is not finite on axis z: take large numbers for a box without end");
+  CHECK(of_boxes(std::vector<graze::octree::box>(64)).all() == ~octant_set{0});
+  CHECK(of_boxes(std::vector<graze::octree::box>(3)).all() == 7);
+}

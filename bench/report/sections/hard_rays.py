@@ -80,7 +80,7 @@ def replayed(context, fuzz, traversal):
             c["touched"] += sum(o["touches"] for o in octants(line))
             c["missed"] += sum(o["crosses"] and not o["visited"] for o in octants(line))
             c["spurious"] += sum(o["visited"] and not o["touches"] for o in octants(line))
-            c["gaps"] += "gap" in line["findings"]
+            c["gaps"] += "gap" in line["findings"] or "seam" in line["findings"]
             c["broken"] += bool({"miss", "order", "spurious", "outside"} & set(line["findings"]))
     return cases
 

@@ -98,6 +98,8 @@ std::string_view claim_of(finding kind, promise p) {
     return "the ray crosses its interior";
   case finding::gap:
     return "a length of the ray lies in it, and in no octant that was visited";
+  case finding::seam:
+    return "the ray runs in the face of two voxels, and neither was reported";
   case finding::miss:
     return promises_owned(p) ? "a point of the ray is in it (closed at its lower faces only)"
                              : "the ray touches the closed box";
@@ -112,7 +114,7 @@ std::string_view claim_of(finding kind, promise p) {
   case finding::exception:
   case finding::not_a_number:
   case finding::malformed:
-    return "asked about the ray, the traversal gives no answer";
+    return sentence_of(kind);
   default:
     return "the octant of the finding";
   }
@@ -123,6 +125,7 @@ std::string_view fault_of(finding kind) {
   case finding::gross_miss:
   case finding::crossed_miss:
   case finding::gap:
+  case finding::seam:
   case finding::miss:
     return "missed";
   case finding::order:
@@ -136,7 +139,7 @@ std::string_view fault_of(finding kind) {
   case finding::exception:
   case finding::not_a_number:
   case finding::malformed:
-    return "asked about, the block's first";
+    return "asked about (the block's first; none is to blame)";
   default:
     return "visited for nothing";
   }

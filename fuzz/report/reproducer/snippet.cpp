@@ -60,6 +60,7 @@ std::optional<relation> relation_of(const reproduction& r) {
   case finding::crossed_miss:
     return relation{"crosses_interior", "the open interior", "<", "> 0", "crosses_interior()"};
   case finding::gap:
+  case finding::seam:
   case finding::miss:
     return relation{"touches", "the closed box", "<=", ">= 0", "touches()"};
   case finding::far_spurious:

@@ -78,8 +78,13 @@ int run_program(const char* name, int argc, char** argv, int (*body)(int, char**
 
 void end_program(int code) { _exit(finished(code)); }
 
+const char* version() { return GRAZE_VERSION; }
+
 std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv) {
-  app.set_version_flag("--version", std::string(program_name()) + " " GRAZE_VERSION);
+  const std::string text = std::string(program_name()) + " " + version();
+  app.set_version_flag("--version", text);
+  for (CLI::App* const subcommand : app.get_subcommands({}))
+    subcommand->set_version_flag("--version", text);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

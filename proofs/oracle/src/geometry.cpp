@@ -1,7 +1,7 @@
 #include "default_mode.hpp"
+#include "grid_walk.hpp"
 #include <cassert>
 #include <cmath>
-#include <graze/oracle/arrival.hpp>
 #include <graze/oracle/geometry.hpp>
 #include <limits>
 
@@ -18,26 +18,20 @@ namespace {
   return moves;
 }
 
-constexpr unsigned most_planes = 60;
-
 /// The ray on one axis of the grid: where it is, and when it reaches the planes before it.
-struct axis_walk {
+struct axis_walk : axis_place {
+  static constexpr bool may_end = false;
   void start(double origin_, double direction, std::span<const double> planes_) {
-    assert(planes_.size() >= 2 && planes_.size() <= most_planes);
+    assert(!planes_.empty() && planes_.size() <= most_planes);
     planes = planes_;
     origin = origin_;
     speed = std::fabs(direction);
-    heading = direction < 0 ? -1 : (direction > 0 ? 1 : 0);
-    last = static_cast<int>(2 * planes.size() - 2);
     int below = 0, on = 0;
     for (const double p : planes) {
       below += p < origin ? 1 : 0;
       on |= p == origin ? 1 : 0;
     }
-    at = 2 * below - 1 + on;
-    const int count = static_cast<int>(planes.size());
-    first = heading > 0 ? below + on : below - 1;
-    ahead = heading > 0 ? count - first : (heading < 0 ? first + 1 : 0);
+    begin(direction < 0 ? -1 : (direction > 0 ? 1 : 0), static_cast<int>(planes.size()), below, on);
     for (int i = 0; i < ahead; ++i)
       times[i] = plane_ahead(i).time();
     times[ahead] = std::numeric_limits<double>::infinity();
@@ -47,60 +41,10 @@ struct axis_walk {
     return {planes[static_cast<unsigned>(first + i * heading)], origin, speed};
   }
   [[nodiscard]] arrival next() const { return plane_ahead(passed); }
-  [[nodiscard]] bool in_hull() const {
-    return static_cast<unsigned>(at) <= static_cast<unsigned>(last);
-  }
-  /// Not in the hull, and never to come into it.
-  [[nodiscard]] bool lost() const { return !in_hull() && passed == ahead; }
-
-  /// From a plane into the space behind it; no effect where the ray is on no plane or does not
-  /// move.
-  void depart() { at += at % 2 == 0 ? heading : 0; }
-  /// From the space before the next plane onto it, if so.
-  void arrive(bool so) {
-    assert(!so || (passed < ahead && at % 2 != 0));
-    at += so ? heading : 0;
-    passed += so ? 1 : 0;
-  }
 
   std::span<const double> planes;
   double origin, speed;
-  int heading, at, last;
-  int first;      ///< the plane that is reached first
-  int ahead;      ///< planes that the ray reaches at t > 0
-  int passed = 0; ///< of these
-  /// arrival::time at each of them, and then infinity.
-  std::array<double, most_planes + 1> times;
 };
-
-/// The axes that reach their next planes together, before all others; some axis has one.
-unsigned earliest(const std::array<axis_walk, 3>& axes) {
-  const std::array<double, 3> time{axes[0].times[axes[0].passed], axes[1].times[axes[1].passed],
-                                   axes[2].times[axes[2].passed]};
-  // NaN is after no time that is certain
-  unsigned first = 0;
-  for (unsigned a = 0; a < 3; ++a) {
-    const double x = time[a], y = time[(a + 1) % 3], z = time[(a + 2) % 3];
-    first |= unsigned{certainly_before(x, y)} * unsigned{certainly_before(x, z)} << a;
-  }
-  if (first != 0)
-    return first;
-  unsigned least = 3;
-  for (unsigned a = 0; a < 3; ++a) {
-    if (axes[a].passed == axes[a].ahead || (least < 3 && certainly_before(time[least], time[a])))
-      continue;
-    const int order = least == 3 || certainly_before(time[a], time[least])
-                          ? -1
-                          : compare_exactly(axes[a].next(), axes[least].next());
-    if (order < 0) {
-      least = a;
-      first = 1u << a;
-    } else if (order == 0) {
-      first |= 1u << a;
-    }
-  }
-  return first;
-}
 
 [[gnu::noinline]] void walk(const point& origin, const point& direction,
                             const std::array<std::span<const double>, 3>& planes,
@@ -111,26 +55,7 @@ unsigned earliest(const std::array<axis_walk, 3>& axes) {
     if (axes[a].lost())
       return;
   }
-  const auto report = [&](bool segment) {
-    if (axes[0].in_hull() && axes[1].in_hull() && axes[2].in_hull())
-      steps.push_back({{static_cast<place>(axes[0].at), static_cast<place>(axes[1].at),
-                        static_cast<place>(axes[2].at)},
-                       segment});
-  };
-  report(false);
-  while (true) {
-    for (axis_walk& axis : axes)
-      axis.depart();
-    if (axes[0].lost() || axes[1].lost() || axes[2].lost())
-      return;
-    report(true);
-    // Some axis moves; it has a plane before it, for it would be lost otherwise.
-    const unsigned first = earliest(axes);
-    assert(first != 0);
-    for (unsigned a = 0; a < 3; ++a)
-      axes[a].arrive((first >> a & 1) != 0);
-    report(false);
-  }
+  walk(axes, steps);
 }
 
 /// A bound of the t >= 0 in which the ray is in a box: a plane it reaches later, or t = 0.

@@ -1,4 +1,6 @@
+#include <graze/oracle/elementary.hpp>
 #include <graze/oracle/rational.hpp>
+#include <vector>
 
 namespace graze::oracle::rational {
 namespace {
@@ -67,7 +69,94 @@ range in_box(const point& origin, const point& direction, const point& lo, const
   return r;
 }
 
+range in_box(const line& l, const box& b, unsigned lower_closed, unsigned upper_closed) {
+  range r;
+  if (l.segment)
+    r.keep_to(1, true);
+  for (unsigned a = 0; a < 3; ++a)
+    clip(r, l.origin[a], l.velocity[a], b.lo[a], b.hi[a], (lower_closed >> a & 1) != 0,
+         (upper_closed >> a & 1) != 0);
+  return r;
+}
+
+/// Bit a is set where the box is flat on axis a.
+unsigned flat(const box& b) {
+  unsigned axes = 0;
+  for (unsigned a = 0; a < 3; ++a)
+    axes |= (b.lo[a] == b.hi[a] ? 1u : 0u) << a;
+  return axes;
+}
+
+std::array<mpq_class, 3> exactly(const point& p) {
+  return {mpq_class(p[0]), mpq_class(p[1]), mpq_class(p[2])};
+}
+
+int multiply_add(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y, mpfr_srcptr z, mpfr_rnd_t to) {
+  return mpfr_fma(r, x, y, z, to);
+}
+
 } // namespace
+
+line ray_of(const point& origin, const point& direction) {
+  return {exactly(origin), exactly(direction), false};
+}
+
+line segment_of(const point& origin, const point& end) {
+  line l{exactly(origin), exactly(end), true};
+  for (unsigned a = 0; a < 3; ++a)
+    l.velocity[a] -= l.origin[a];
+  return l;
+}
+
+box box_of(const point& lo, const point& hi) { return {exactly(lo), exactly(hi)}; }
+
+bool touches(const line& l, const box& b) { return !in_box(l, b, 7, 7).empty(); }
+bool crosses(const line& l, const box& b) { return !in_box(l, b, flat(b), flat(b)).empty(); }
+bool owns(const line& l, const box& b, unsigned closed_far) {
+  return !in_box(l, b, 7, closed_far | flat(b)).empty();
+}
+
+std::optional<std::pair<mpq_class, mpq_class>> range_in(const line& l, const box& b) {
+  const range r = in_box(l, b, 7, 7);
+  if (r.empty() || r.endless)
+    return std::nullopt;
+  return std::pair(r.first, r.last);
+}
+
+mpq_class plane_exactly(double origin, double spacing, std::uint32_t k) {
+  return mpq_class(origin) + k * mpq_class(spacing);
+}
+double plane_rounded(double origin, double spacing, std::uint32_t k) {
+  return rounded(multiply_add, MPFR_RNDN, static_cast<double>(k), spacing, origin);
+}
+double plane_multiplied(double origin, double spacing, std::uint32_t k) {
+  const double product = rounded(mpfr_mul, MPFR_RNDN, static_cast<double>(k), spacing);
+  return rounded(mpfr_add, MPFR_RNDN, origin, product);
+}
+double plane_added(double origin, double spacing, std::uint32_t k) {
+  struct axis {
+    double origin = 0, spacing = 0;
+    std::vector<double> planes;
+  };
+  thread_local std::array<axis, 6> known;
+  thread_local unsigned oldest = 0;
+  axis* at = nullptr;
+  for (axis& one : known)
+    if (!one.planes.empty() && one.origin == origin && one.spacing == spacing)
+      at = &one;
+  if (at == nullptr) {
+    at = &known[oldest++ % known.size()];
+    *at = {origin, spacing, {origin}};
+  }
+  while (at->planes.size() <= k)
+    at->planes.push_back(at->planes.back() + spacing);
+  return at->planes[k];
+}
+double plane_binary32(double origin, double spacing, std::uint32_t k) {
+  const auto nearest = [](double x) { return rounded_to<float>(mpfr_set, MPFR_RNDN, x); };
+  const float product = rounded_to<float>(mpfr_mul, MPFR_RNDN, nearest(k), nearest(spacing));
+  return static_cast<double>(rounded_to<float>(mpfr_add, MPFR_RNDN, nearest(origin), product));
+}
 
 bool touches(const point& origin, const point& direction, const point& lo, const point& hi) {
   return !in_box(origin, direction, lo, hi, 7, 7).empty();

@@ -23,7 +23,10 @@ int run_program(const char* name, int argc, char** argv, int (*body)(int argc, c
 /// Ends at once, threads that are still at work included, after what was printed is written.
 [[noreturn]] void end_program(int code);
 
-/// Adds --version. Then parses; gives an exit code where that is all: help, version, bad input.
+/// Of all programs: "0.1.0".
+const char* version();
+
+/// Adds --version, to subcommands too. Then parses; gives an exit code where that is all: help, version, bad input.
 std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv);
 
 /// One line on standard error; gives 2.

@@ -29,7 +29,8 @@ struct step {
 
 /// The steps of {origin + t direction : t >= 0} from t = 0, in order of t, that lie within the
 /// closed hull of the grid; empty when the ray misses the hull. Exact for all finite doubles;
-/// direction != 0; planes strictly increasing, 2 to 60 on each axis. Points and segments alternate;
+/// direction != 0; planes strictly increasing, 1 (a flat grid) to 60 on each axis. Points and segments
+/// alternate;
 /// t = 0, where it lies in the hull, is a point of its own even when no plane passes there.
 std::vector<step> steps_in_grid(const point& origin, const point& direction,
                                 const std::array<std::span<const double>, 3>& planes);

@@ -1,5 +1,5 @@
 #pragma once
-/// The same three questions as geometry.hpp, answered a second time by clipping t-intervals in
+/// The same questions as geometry.hpp and lines.hpp, answered a second time by clipping t-intervals in
 /// GMP's rationals: slow, short, and without a line in common with the fast answers.
 #include <gmpxx.h>
 #include <graze/oracle/geometry.hpp>
@@ -17,5 +17,35 @@ bool owns(const point& origin, const point& direction, const point& lo, const po
 /// The t >= 0 at which the ray is in the closed box, first and last; nothing if it misses it.
 std::optional<std::pair<mpq_class, mpq_class>> range_in(const point& origin, const point& direction,
                                                         const point& lo, const point& hi);
+
+/// A ray or a segment: origin + t velocity, t >= 0, to t = 1 for a segment.
+struct line {
+  std::array<mpq_class, 3> origin, velocity;
+  bool segment;
+};
+line ray_of(const point& origin, const point& direction);
+line segment_of(const point& origin, const point& end);
+
+/// lo <= hi; flat where they are equal.
+struct box {
+  std::array<mpq_class, 3> lo, hi;
+};
+box box_of(const point& lo, const point& hi);
+
+/// The same questions for these. The interior of a flat box is that within its plane, line or point; on
+/// an axis where it is flat the half-open box is closed.
+bool touches(const line& l, const box& b);
+bool crosses(const line& l, const box& b);
+bool owns(const line& l, const box& b, unsigned closed_far = 0);
+/// The first and last t at which the line is in the closed box.
+std::optional<std::pair<mpq_class, mpq_class>> range_in(const line& l, const box& b);
+
+/// Planes of an axis as those of planes.hpp, by GMP's and MPFR's arithmetic; `plane_added` step by step,
+/// and remembered for the axes that were asked about last.
+mpq_class plane_exactly(double origin, double spacing, std::uint32_t k);
+double plane_rounded(double origin, double spacing, std::uint32_t k);
+double plane_multiplied(double origin, double spacing, std::uint32_t k);
+double plane_added(double origin, double spacing, std::uint32_t k);
+double plane_binary32(double origin, double spacing, std::uint32_t k);
 
 } // namespace graze::oracle::rational
