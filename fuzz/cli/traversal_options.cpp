@@ -3,6 +3,7 @@
 #include <external/libraries.hpp>
 #include <fmt/format.h>
 #include <graze/support/output.hpp>
+#include <report/reproducer/test_file.hpp>
 
 namespace graze::fuzz {
 
@@ -38,6 +39,24 @@ void add_traversal_options(CLI::App& app, CLI::Option& other, traversal_options&
   app.add_flag("--float", options.external.as_float,
                "Round rays and boxes to float before they are sent, and judge them so")
       ->needs(command);
+}
+
+void add_language_option(CLI::App& app, std::string& language) {
+  app.add_option("--language", language,
+                 "Of a reproducer's test: rust, go, java, javascript, python, c++ (default: what "
+                 "the words of "
+                 "--command look like, or c++)")
+      ->check(CLI::IsMember({"rust", "go", "java", "javascript", "python", "c++"}));
+}
+
+reader_of_test reader_of(const std::string& language, const traversal_options& options) {
+  reader_of_test reader;
+  const std::string& command = options.external.command;
+  reader.written = language_of(language).value_or(language_of_command(command));
+  if (!command.empty())
+    if (const auto external = external_of(options))
+      reader.external = *external;
+  return reader;
 }
 
 expected<external_options> external_of(const traversal_options& options) {
