@@ -20,7 +20,7 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
       simplest = counterexample{kind, *ray, found, shrunk};
   }
   if (simplest && shrink_it && kind != finding::hang) // each hang costs its whole time
-    if (const auto small = small_witness(*under_test, kind, 10'000, end, stop);
+    if (const auto small = small_witness(*under_test, kind, 10'000, end, stop, plan.scene);
         small && complexity_of(*small) < complexity_of(simplest->shrunk) &&
         (is_tame(*small) || !is_tame(simplest->found)))
       simplest->shrunk = *small;

@@ -76,17 +76,22 @@ bool within(const mpq_class& x, double allowed) {
   return !std::isfinite(allowed) || abs(x) <= mpq_class(allowed);
 }
 
+constexpr double most = std::numeric_limits<double>::max();
+
 bool right_t(const exact_entry& e, double said, double tolerance) {
-  return std::isfinite(said) && within(mpq_class(said) - e.at, tolerance * e.unit);
+  if (!std::isfinite(said)) // as good as any where it is beyond the doubles
+    return said > 0 && e.at > mpq_class(most);
+  return within(mpq_class(said) - e.at, tolerance * e.unit);
 }
 
 bool right_distance(const exact_entry& e, double said, double tolerance) {
-  if (!std::isfinite(said))
-    return false;
   constexpr mp_bitcnt_t bits = 2400; // the square root of a double's square has no fewer
   const mpf_class speed = sqrt(mpf_class(e.speed, bits));
+  const mpf_class exact = mpf_class(e.at, bits) * speed;
+  if (!std::isfinite(said))
+    return said > 0 && exact > most;
   const double allowed = tolerance * e.unit * speed.get_d();
-  const mpf_class off = mpf_class(said, bits) - mpf_class(e.at, bits) * speed;
+  const mpf_class off = mpf_class(said, bits) - exact;
   return !std::isfinite(allowed) || abs(off) <= mpf_class(allowed, bits);
 }
 

@@ -123,7 +123,8 @@ constexpr char exact[] = "mutant-exact";
 } // namespace
 
 const std::vector<traversal_entry>& mutants() {
-  static const std::vector<traversal_entry> all{
+  static const std::vector<traversal_entry> all = [] {
+    std::vector<traversal_entry> list{
       {drops, "sound, but leaves out child 5", make_edited<drop_one_child, drops>},
       {reversed, "sound, but back to front", make_edited<reverse_order, reversed>},
       {"mutant-everything", "every octant of the block",
@@ -134,7 +135,11 @@ const std::vector<traversal_entry>& mutants() {
        [] { return std::unique_ptr<traversal>(new report_twice); }},
       {"mutant-throws", "sound, but throws where the direction has x < 0",
        [] { return std::unique_ptr<traversal>(new throws); }},
-  };
+    };
+    for (const traversal_entry& e : wrong_references())
+      list.push_back(e);
+    return list;
+  }();
   return all;
 }
 
