@@ -49,7 +49,7 @@ MAVEN = [
     ("gdx", "1.13.1", "Intersector intersectRayBounds"),
     ("jme3-box", "3.7.0", "BoundingBox intersects"),
     ("jme3-tree", "3.7.0", "BIHTree, Mesh collideWith"),
-    ("commons-geometry", "1.0", "Parallelepiped linecastFirst, precision 1e-15"),
+    ("commons-geometry", "1.0", "Parallelepiped linecastFirst, precision 1e-10"),
 ]
 
 
