@@ -53,6 +53,15 @@ json to_json(const stored_plan& p) {
 }
 
 /// Throws what is wrong with it.
+std::uint64_t read_count(const read_json& value, const char* name) {
+  const auto count = support::whole_number<std::uint64_t>(value);
+  if (!count)
+    throw std::invalid_argument(
+        fmt::format("\"{}\" is not a whole number from 0 to 2^64 - 1", name));
+  return *count;
+}
+
+/// Throws what is wrong with it.
 external_options read_external(const read_json& object, std::string command) {
   external_options e;
   e.command = std::move(command);
@@ -84,11 +93,7 @@ external_options read_external(const read_json& object, std::string command) {
 /// Throws what is wrong with it.
 stored_plan read_plan_members(const read_json& object) {
   stored_plan p;
-  const auto number = [&object](const char* key) {
-    if (!object.at(key).is_number_unsigned())
-      throw std::invalid_argument(fmt::format("\"{}\" is not a number, 0 or more", key));
-    return object.at(key).get<std::uint64_t>();
-  };
+  const auto number = [&object](const char* key) { return read_count(object.at(key), key); };
   p.traversal = object.at("traversal").get<std::string>();
   if (const read_json external = object.value("external", read_json()); !external.is_null())
     p.external = read_external(external, p.traversal);
@@ -121,18 +126,19 @@ finished_piece read_piece(std::string_view text, const stored_plan& plan) {
   const read_json line = read_json::parse(text);
   const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
   finished_piece p;
-  p.number = line.at("piece").get<std::uint64_t>();
+  p.number = read_count(line.at("piece"), "piece");
   p.elapsed = line.at("elapsed").get<double>();
   if (!(p.elapsed >= 0))
     refuse("its time is negative");
   if (p.number % plan.shards != plan.shard - 1 || (plan.rays != 0 && p.number >= plan.pieces()))
     refuse(fmt::format("piece {} is not of this plan", p.number));
   std::uint64_t rays = 0;
-  for (const auto& row : line.at("counts").get<std::vector<std::vector<std::uint64_t>>>()) {
+  for (const read_json& row : line.at("counts")) {
     count_row values{};
-    if (row.size() != values.size())
+    if (!row.is_array() || row.size() != values.size())
       refuse("its counts are those of another version of graze-fuzz");
-    std::copy(row.begin(), row.end(), values.begin());
+    std::transform(row.begin(), row.end(), values.begin(),
+                   [](const read_json& count) { return read_count(count, "counts"); });
     p.by_generator.push_back(std::bit_cast<counts>(values));
     rays += p.by_generator.back().rays;
   }
@@ -145,7 +151,7 @@ finished_piece read_piece(std::string_view text, const stored_plan& plan) {
     auto hash = shown.at("hash").get<std::string>();
     if (!support::is_content_hash(hash)) // it is a file's name, and stands in the page
       refuse("the hash of a finding is not 32 hex digits");
-    p.findings.push_back({std::move(hash), *kind, shown.at("ray").get<std::uint64_t>(),
+    p.findings.push_back({std::move(hash), *kind, read_count(shown.at("ray"), "ray"),
                           shown.at("tame").get<bool>()});
   }
   return p;

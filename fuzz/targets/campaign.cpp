@@ -65,5 +65,6 @@ std::vector<std::string> target::seeds() {
       "{}",
       "[",
       "null",
-      R"({"piece":1,"counts":[[]],"findings":[{}]})"};
+      R"({"piece":1,"counts":[[]],"findings":[{}]})",
+      R"({"piece":1.8e20,"elapsed":0,"counts":[[1e300]],"findings":[]})"};
 }

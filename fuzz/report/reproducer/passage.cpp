@@ -120,6 +120,8 @@ std::string_view claim_of(finding kind, promise p) {
   }
 }
 
+bool is_fault(finding kind) { return kind <= finding::malformed; }
+
 std::string_view fault_of(finding kind) {
   switch (kind) {
   case finding::gross_miss:

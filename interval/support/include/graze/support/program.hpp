@@ -36,6 +36,13 @@ int bad_input(std::string_view reason);
 /// largest; this refuses both.
 CLI::Validator whole_number();
 
+/// From here on this process allocates no more than nine tenths of the memory that is free now (of the
+/// machine, or of its control group where that has less), so that a scene that asks for more is refused
+/// ("not enough memory", exit code 2) and nothing is ended by the system. A lower limit that is set
+/// stays. For programs that start no others, which would inherit it. Does nothing where the system does
+/// not say what is free, and under sanitizers, which reserve memory that they do not use.
+void limit_memory();
+
 /// One a core, at most as many as may be asked for.
 unsigned default_threads();
 
