@@ -484,10 +484,6 @@ std::string spelled(const external_options& options) {
   std::string text = "--command " + shell_word(options.command);
   if (options.promised)
     text += fmt::format(" --promise {}", name_of(*options.promised));
-  if (options.cells)
-    text += fmt::format(" --cells {}", name_of(*options.cells));
-  if (options.segments == true)
-    text += " --segments";
   if (options.tolerance)
     text += fmt::format(" --tolerance {}", *options.tolerance);
   if (options.batch != 0)

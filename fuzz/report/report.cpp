@@ -114,6 +114,10 @@ std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
       fmt::format("graze-fuzz run {} --level {}", plan.under_test.asked_for(), plan.level);
   if (plan.last_level != plan.level)
     command += fmt::format("-{}", plan.last_level);
+  if (plan.scene.cells != cell_kind::cube)
+    command += fmt::format(" --cells {}", name_of(plan.scene.cells));
+  if (plan.scene.segments)
+    command += " --segments";
   if (plan.generators.size() != generators().size()) {
     std::string names;
     for (const generator* g : plan.generators)
