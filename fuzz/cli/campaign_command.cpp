@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cli/check_options.hpp>
 #include <cli/commands.hpp>
-#include <cli/traversal_options.hpp>
+#include <cli/scene_options.hpp>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/support/files.hpp>
@@ -24,6 +24,7 @@ struct campaign_options {
   CLI::App* app = nullptr;
   stored_plan plan;
   traversal_options traversal;
+  scene_options scene;
   std::string folder;
   std::vector<std::string> generators, except;
   std::string shard = "1/1";
@@ -54,12 +55,15 @@ bool read_shard(std::string_view text, stored_plan& plan) {
 
 /// The members of the plan that the command line gives.
 std::vector<std::string> given_members(const CLI::App& campaign) {
-  constexpr std::array<std::pair<const char*, const char*>, 11> members{
+  constexpr std::array<std::pair<const char*, const char*>, 14> members{
       {{"--traversal", "traversal"},
        {"--generator", "generators"},
        {"--except", "generators"},
        {"--tame", "tame"},
        {"--hangs", "hangs"},
+       {"--cells", "cells"},
+       {"--segments", "segments"},
+       {"--grid", "grid"},
        {"--search", "search"},
        {"--level", "level"},
        {"--seed", "seed"},
@@ -170,6 +174,8 @@ int campaign(campaign_options& options) {
   options.plan.generators = *std::move(generators);
   if (const status may = prepare(options.checks); !may)
     return bad_input(may.reason());
+  if (const status may = take_scene(options.scene, options.plan, options.traversal); !may)
+    return bad_input(may.reason());
   expected<traversal_entry> started = unexpected{std::string()};
   if (options.traversal.external.command.empty()) {
     if (options.app->count("--timeout") != 0)
@@ -184,6 +190,10 @@ int campaign(campaign_options& options) {
     options.plan.external = *external;
     if (started = tried_traversal(*external); !started)
       return bad_input(started.reason());
+    scene_choice scene;
+    scene.cells = cell_kind_of(options.plan.cells).value_or(scene.cells);
+    if (const status may = settle_scene(options.scene, *started, scene, options.plan); !may)
+      return bad_input(may.reason());
   }
   auto store = campaign_store::open(options.folder, options.plan, given_members(*options.app));
   if (!store)
@@ -197,6 +207,8 @@ int campaign(campaign_options& options) {
     if (!started)
       return bad_input(started.reason());
     plan->under_test = *started;
+    if (const status may = check(*started->make(), plan->scene); !may)
+      return bad_input(may.reason());
   }
   plan->workers = options.threads;
   const stored_plan& stored = store->plan();
@@ -275,6 +287,7 @@ Exit code: 0 nothing found (nothing new or more, with --baseline), 1 a finding, 
   CLI::Option* named =
       c->add_option("--traversal", o.plan.traversal, "What is under test")->capture_default_str();
   add_traversal_options(*c, *named, o.traversal);
+  add_scene_options(*c, o.scene);
   c->add_option("--level", o.plan.level, "Level of the octants, 1 to 53, or a range: 1-50")
       ->capture_default_str();
   c->add_option("--generator", o.generators, "Names of generators, or all (the default)")

@@ -122,6 +122,9 @@ int replay_files(replay_options& options) {
     return bad_input(cases.reason());
   if (const status may = prepare(options.checks); !may)
     return bad_input(may.reason());
+  const trial& first = cases->front().replayed.at;
+  options.traversal.external.usual_cells = first.cells();
+  options.traversal.external.usual_segments = first.end.has_value();
   const auto entry = chosen_traversal(options.name, options.traversal, true);
   if (!entry)
     return bad_input(entry.reason());

@@ -2,7 +2,7 @@
 #include <campaign/store.hpp>
 #include <cli/check_options.hpp>
 #include <cli/commands.hpp>
-#include <cli/traversal_options.hpp>
+#include <cli/scene_options.hpp>
 #include <filesystem>
 #include <graze/support/files.hpp>
 #include <graze/support/text.hpp>
@@ -19,6 +19,7 @@ using namespace support;
 struct run_options {
   named_plan plan;
   traversal_options traversal;
+  scene_options scene;
   std::uint64_t first_ray = 0;
   bool until_finding = false;
   unsigned threads = default_threads();
@@ -75,6 +76,8 @@ int run(run_options& options) {
   if (!generators)
     return bad_input(generators.reason());
   named.generators = *std::move(generators);
+  if (const status may = take_scene(options.scene, named, options.traversal); !may)
+    return bad_input(may.reason());
   auto plan = resolve_rays(named);
   if (!plan)
     return bad_input(plan.reason());
@@ -90,6 +93,8 @@ int run(run_options& options) {
   if (!under_test)
     return bad_input(under_test.reason());
   plan->under_test = *under_test;
+  if (const status may = settle_scene(options.scene, *under_test, plan->scene, named); !may)
+    return bad_input(may.reason());
   for (const std::string& folder : {options.save_all, options.reproducer})
     if (!folder.empty())
       if (const status may = prepare_folder(folder); !may)
@@ -178,6 +183,7 @@ Exit code: 0 nothing found (nothing new or more, with --baseline), 1 a finding, 
   CLI::Option* named =
       c->add_option("--traversal", o.plan.traversal, "What is under test")->capture_default_str();
   add_traversal_options(*c, *named, o.traversal);
+  add_scene_options(*c, o.scene);
   c->add_option("--level", o.plan.level,
                 "Level of the octants, 1 to 53, or a range taken in turn: 1-50")
       ->capture_default_str();

@@ -406,6 +406,10 @@ expected<external_options> agreed(const external_options& asked, const hello& gr
                          fmt::format("--batch {}", asked.batch));
   if (asked.batch == 0)
     both.batch = greeting.batch.value_or(0);
+  if (const auto well = judgeable(both.promised.value_or(promise::crossed),
+                                  both.cells.value_or(both.usual_cells));
+      !well)
+    return unexpected{fmt::format("cannot be judged: {}", well.reason())};
   if (!asked.tolerance)
     both.tolerance = greeting.tolerance;
   both.as_float = asked.as_float || greeting.as_float;
@@ -480,10 +484,6 @@ std::string spelled(const external_options& options) {
   std::string text = "--command " + shell_word(options.command);
   if (options.promised)
     text += fmt::format(" --promise {}", name_of(*options.promised));
-  if (options.cells)
-    text += fmt::format(" --cells {}", name_of(*options.cells));
-  if (options.segments == true)
-    text += " --segments";
   if (options.tolerance)
     text += fmt::format(" --tolerance {}", *options.tolerance);
   if (options.batch != 0)

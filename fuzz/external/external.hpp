@@ -47,7 +47,7 @@ received_ray rounded_to_float(const trial& t);
 /// As one word of a shell's command line.
 std::string shell_word(std::string_view text);
 
-/// How a user asks for it: "--command '...' ...".
+/// How a user asks for it: "--command '...' ..."; without cells and segments, which a replay file says.
 std::string spelled(const external_options& options);
 
 } // namespace graze::fuzz

@@ -114,6 +114,10 @@ std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
       fmt::format("graze-fuzz run {} --level {}", plan.under_test.asked_for(), plan.level);
   if (plan.last_level != plan.level)
     command += fmt::format("-{}", plan.last_level);
+  if (plan.scene.cells != cell_kind::cube)
+    command += fmt::format(" --cells {}", name_of(plan.scene.cells));
+  if (plan.scene.segments)
+    command += " --segments";
   if (plan.generators.size() != generators().size()) {
     std::string names;
     for (const generator* g : plan.generators)
@@ -143,7 +147,7 @@ std::string replay_command(const campaign_plan& plan, const counterexample& c) {
 std::string describe(const campaign_plan& plan, const campaign_result& result,
                      const counterexample& c) {
   std::string text;
-  if (const auto hint = hint_of(result.samples, plan.under_test.guarded()->promises()))
+  if (const auto hint = hint_of(plan, result))
     text += fmt::format("{}\n", advice_on(*hint));
   text +=
       kinds_of(result) + fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
@@ -177,7 +181,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["first_miss_seconds"] =
       result.first_miss_seconds ? json(*result.first_miss_seconds) : json(nullptr);
   object["interrupted"] = result.interrupted;
-  const auto hint = hint_of(result.samples, plan.under_test.guarded()->promises());
+  const auto hint = hint_of(plan, result);
   object["hint"] = hint ? json(name_of(*hint)) : json(nullptr);
   object["finding"] = c ? json(name_of(c->kind)) : json(nullptr);
   object["counterexample"] = c ? json::parse(to_json_line(c->shrunk)) : json(nullptr);
