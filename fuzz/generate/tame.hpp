@@ -6,6 +6,9 @@
 ///   normal and at least 2^-80 root sizes;
 /// - the components of its direction are 0, or normal and within 2^40 of each other, the largest between
 ///   2^-40 and 2^40 (times the root's size, where that brings them further apart).
+///
+/// Root sizes are the largest edge of the grid, or of the smallest box about boxes, where the cells are those;
+/// a segment's end is as its origin.
 #include <cstdint>
 #include <trial/trial.hpp>
 
