@@ -13,10 +13,14 @@ constexpr double widest = 0x1p40;  ///< between components, and from 1 or the ro
 constexpr double finest = 0x1p-80; ///< a component of the origin, in root sizes
 constexpr double normal = std::numeric_limits<double>::min();
 
-/// What a ray is tame beside: the root; a grid; the smallest box about boxes.
+double largest_of(const vec3& v) {
+  return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
+}
+
+/// What holds all cells, and its largest edge.
 struct frame {
   vec3 lo, hi;
-  double size; ///< the largest edge, or 1
+  double size;
 };
 
 frame frame_of(const trial& t) {
@@ -32,34 +36,25 @@ frame frame_of(const trial& t) {
         f.hi[a] = std::max(f.hi[a], b.hi[a]);
       }
     } else {
-      f.lo[a] = nearest_plane(*t.grid, a, 0);
-      f.hi[a] = nearest_plane(*t.grid, a, t.grid->last(a));
+      f.lo[a] = lowest(t, a);
+      f.hi[a] = highest(t, a);
     }
     f.size = std::max(f.size, f.hi[a] - f.lo[a]);
   }
-  if (!(f.size >= normal && std::isfinite(f.size)))
+  if (f.size == 0) // a point
     f.size = 1;
   return f;
 }
 
-double largest_of(const vec3& v) {
-  return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
-}
-
-bool is_tame(const vec3& point, const frame& f) {
+bool has_tame_origin(const trial& t, const frame& f) {
   for (unsigned a = 0; a < 3; ++a) {
-    const double x = point[a];
-    if (!(f.lo[a] - farthest * f.size <= x) || !(x <= f.hi[a] + farthest * f.size))
+    const double o = t.origin[a];
+    if (!(f.lo[a] - farthest * f.size <= o) || !(o <= f.hi[a] + farthest * f.size))
       return false;
-    if (x != 0 && std::fabs(x) < std::max(normal, finest * f.size))
+    if (o != 0 && std::fabs(o) < std::max(normal, finest * f.size))
       return false;
   }
   return true;
-}
-
-/// The origin, and a segment's end.
-bool has_tame_ends(const trial& t, const frame& f) {
-  return is_tame(t.origin, f) && (!t.end || is_tame(*t.end, f));
 }
 
 bool has_tame_direction(const trial& t, const frame& f) {
@@ -86,12 +81,13 @@ void tame_direction(random_stream& random, vec3& d, int up) {
   }
 }
 
-/// A vertex of the block, or of one of the boxes, or a point of one of their edges.
+/// A vertex of the block, or a point of one of its edges.
 vec3 place_to_meet(random_stream& random, const trial& t) {
   vec3 place;
   if (t.boxes) {
     const octree::box& b = (*t.boxes)[random.below(static_cast<unsigned>(t.boxes->size()))];
-    place = b.corner(random.below(8));
+    for (unsigned a = 0; a < 3; ++a)
+      place[a] = random.coin() ? b.lo[a] : b.hi[a];
     if (random.coin()) {
       const unsigned along = random.below(3);
       place[along] = b.lo[along] + scaled(static_cast<double>(random.bits(20)), -20) *
@@ -103,19 +99,16 @@ vec3 place_to_meet(random_stream& random, const trial& t) {
     place[a] = t.plane(a, random.below(t.extent[a] + 1u));
   if (random.coin()) {
     const unsigned along = random.below(3);
-    place[along] = t.plane(static_cast<int>(along), random.below(t.extent[along])) +
-                   scaled(static_cast<double>(random.bits(20)), -20) *
-                       (t.grid ? t.plane(static_cast<int>(along), t.extent[along]) -
-                                     t.plane(static_cast<int>(along), 0)
-                               : t.size());
+    const double plane = t.plane(static_cast<int>(along), random.below(t.extent[along]));
+    place[along] = plane + scaled(static_cast<double>(random.bits(20)), -20) * pitch(t, along);
   }
   return place;
 }
 
 /// From nearby: through the place exactly, or along the direction, or aimed at it with bits of its own.
-void come_from_nearby(random_stream& random, trial& t, double size) {
+void come_from_nearby(random_stream& random, trial& t, const frame& f) {
   const vec3 place = place_to_meet(random, t);
-  const double way = scaled(size / largest_of(t.direction), random.between(-10, 2));
+  const double way = scaled(f.size / largest_of(t.direction), random.between(-10, 2));
   const unsigned kind = random.below(3);
   for (unsigned a = 0; a < 3; ++a) {
     const double offset = way * t.direction[a];
@@ -124,7 +117,7 @@ void come_from_nearby(random_stream& random, trial& t, double size) {
     } else if (kind == 1) {
       t.origin[a] = place[a] - offset;
     } else {
-      const double away = random_double(random, -10, 2) * size;
+      const double away = random_double(random, -10, 2) * f.size;
       t.origin[a] = t.direction[a] == 0 ? place[a] : place[a] + away;
     }
   }
@@ -138,22 +131,11 @@ void come_from_nearby(random_stream& random, trial& t, double size) {
   }
 }
 
-/// A segment along the ray of t, which meets the place where it was led to: to there, short of it, or beyond.
-trial cut_behind(random_stream& random, const trial& t) {
-  const double far = random.one_in(3) ? 1
-                                      : scaled(1.0 + static_cast<double>(random.bits(10)),
-                                               random.between(-10, -6));
-  vec3 end;
-  for (unsigned a = 0; a < 3; ++a)
-    end[a] = t.origin[a] + far * t.direction[a];
-  return with_end(t, t.origin, end);
-}
-
 } // namespace
 
 bool is_tame(const trial& t) {
   const frame f = frame_of(t);
-  return has_tame_ends(t, f) && has_tame_direction(t, f);
+  return has_tame_origin(t, f) && has_tame_direction(t, f);
 }
 
 trial tamed(const trial& given, std::uint64_t seed, std::uint64_t number) {
@@ -171,22 +153,21 @@ trial tamed(const trial& given, std::uint64_t seed, std::uint64_t number) {
       bool same_line = std::isfinite(ratio) && ratio != 0;
       for (unsigned a = 0; a < 3; ++a)
         same_line = same_line && t.direction[a] == before[a] * ratio;
-      if (same_line && attempt == 0 && !t.end && is_tame(t))
+      if (same_line && attempt == 0 && is_tame(t))
         return t;
     }
-    come_from_nearby(random, t, f.size);
-    if (t.end)
-      t = cut_behind(random, t);
+    come_from_nearby(random, t, f);
     if (is_tame(t) && judgeable(t))
       return t;
   }
   trial t = given; // along the first axis, in a face of the block
-  for (int a = 0; a < 3; ++a) {
-    t.origin[a] = t.boxes ? t.boxes->front().lo[a] : t.plane(a, 0);
+  const octree::box first = t.cell(0);
+  for (unsigned a = 0; a < 3; ++a) {
+    t.origin[a] = first.lo[a];
     t.direction[a] = a == 0 ? 1 : 0;
   }
   t.origin[0] = f.lo[0] - f.size;
-  return t.end ? with_end(t, t.origin, {f.hi[0] + f.size, t.origin[1], t.origin[2]}) : t;
+  return t;
 }
 
 } // namespace graze::fuzz
