@@ -67,6 +67,17 @@ std::vector<std::string> all_named(const std::vector<std::string>& generators) {
   return names;
 }
 
+support::status check(const traversal& under_test, const scene_choice& scene) {
+  if (!under_test.takes(scene.cells, scene.segments))
+    return unexpected{
+        fmt::format("{} takes no {} through {}: see graze-fuzz list for those that do",
+                    under_test.name(), scene.segments ? "segments" : "rays",
+                    scene.cells == cell_kind::cube   ? "octants"
+                    : scene.cells == cell_kind::grid ? "grids"
+                                                     : "boxes")};
+  return judgeable(under_test.promises(), scene.cells);
+}
+
 expected<std::vector<std::string>> all_named(const std::vector<std::string>& generators,
                                              const std::vector<std::string>& except) {
   std::vector<std::string> names = all_named(generators);
@@ -78,17 +89,6 @@ expected<std::vector<std::string>> all_named(const std::vector<std::string>& gen
   if (names.empty() && !except.empty())
     return unexpected{"--except leaves no generator"};
   return names;
-}
-
-support::status check(const traversal& under_test, const scene_choice& scene) {
-  if (!under_test.takes(scene.cells, scene.segments))
-    return unexpected{
-        fmt::format("{} takes no {} through {}: see graze-fuzz list for those that do",
-                    under_test.name(), scene.segments ? "segments" : "rays",
-                    scene.cells == cell_kind::cube   ? "octants"
-                    : scene.cells == cell_kind::grid ? "grids"
-                                                     : "boxes")};
-  return judgeable(under_test.promises(), scene.cells);
 }
 
 expected<campaign_plan> resolve_rays(const named_plan& named) {

@@ -5,6 +5,7 @@
 #include <cli/check_options.hpp>
 #include <cli/commands.hpp>
 #include <cli/scene_options.hpp>
+#include <cli/traversal_options.hpp>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/support/files.hpp>
@@ -61,11 +62,11 @@ std::vector<std::string> given_members(const CLI::App& campaign) {
        {"--except", "generators"},
        {"--tame", "tame"},
        {"--hangs", "hangs"},
+       {"--search", "search"},
+       {"--level", "level"},
        {"--cells", "cells"},
        {"--segments", "segments"},
        {"--grid", "grid"},
-       {"--search", "search"},
-       {"--level", "level"},
        {"--seed", "seed"},
        {"--rays", "rays"},
        {"--seconds", "seconds"},
@@ -174,8 +175,8 @@ int campaign(campaign_options& options) {
   options.plan.generators = *std::move(generators);
   if (const status may = prepare(options.checks); !may)
     return bad_input(may.reason());
-  if (const status may = take_scene(options.scene, options.plan, options.traversal); !may)
-    return bad_input(may.reason());
+  if (const status well = take_scene(options.scene, options.plan, options.traversal.external); !well)
+    return bad_input(well.reason());
   expected<traversal_entry> started = unexpected{std::string()};
   if (options.traversal.external.command.empty()) {
     if (options.app->count("--timeout") != 0)
@@ -190,10 +191,7 @@ int campaign(campaign_options& options) {
     options.plan.external = *external;
     if (started = tried_traversal(*external); !started)
       return bad_input(started.reason());
-    scene_choice scene;
-    scene.cells = cell_kind_of(options.plan.cells).value_or(scene.cells);
-    if (const status may = settle_scene(options.scene, *started, scene, options.plan); !may)
-      return bad_input(may.reason());
+    take_scene_of(*started->guarded(), options.scene, options.plan);
   }
   auto store = campaign_store::open(options.folder, options.plan, given_members(*options.app));
   if (!store)
@@ -207,7 +205,7 @@ int campaign(campaign_options& options) {
     if (!started)
       return bad_input(started.reason());
     plan->under_test = *started;
-    if (const status may = check(*started->make(), plan->scene); !may)
+    if (const status may = check(*started->guarded(), plan->scene); !may)
       return bad_input(may.reason());
   }
   plan->workers = options.threads;

@@ -3,6 +3,7 @@
 #include <cli/check_options.hpp>
 #include <cli/commands.hpp>
 #include <cli/scene_options.hpp>
+#include <cli/traversal_options.hpp>
 #include <filesystem>
 #include <graze/support/files.hpp>
 #include <graze/support/text.hpp>
@@ -76,8 +77,8 @@ int run(run_options& options) {
   if (!generators)
     return bad_input(generators.reason());
   named.generators = *std::move(generators);
-  if (const status may = take_scene(options.scene, named, options.traversal); !may)
-    return bad_input(may.reason());
+  if (const status well = take_scene(options.scene, named, options.traversal.external); !well)
+    return bad_input(well.reason());
   auto plan = resolve_rays(named);
   if (!plan)
     return bad_input(plan.reason());
@@ -93,8 +94,13 @@ int run(run_options& options) {
   if (!under_test)
     return bad_input(under_test.reason());
   plan->under_test = *under_test;
-  if (const status may = settle_scene(options.scene, *under_test, plan->scene, named); !may)
-    return bad_input(may.reason());
+  {
+    const auto tried = under_test->guarded();
+    take_scene_of(*tried, options.scene, named);
+    plan->scene = resolve_rays(named)->scene;
+    if (const status may = check(*tried, plan->scene); !may)
+      return bad_input(may.reason());
+  }
   for (const std::string& folder : {options.save_all, options.reproducer})
     if (!folder.empty())
       if (const status may = prepare_folder(folder); !may)

@@ -1,62 +1,59 @@
 #include <cli/scene_options.hpp>
 #include <fmt/format.h>
 #include <graze/support/files.hpp>
+#include <trial/replay_line.hpp>
 
 namespace graze::fuzz {
 
-namespace {
-constexpr std::uint64_t longest_grid = std::uint64_t{1} << 26; ///< of a file, in bytes
-} // namespace
-
 void add_scene_options(CLI::App& app, scene_options& options) {
   app.add_option("--cells", options.cells,
-                 "What rays are led through: cube (octants of a level), grid (planes of any kind), "
-                 "boxes (default: what the traversal takes)")
+                 "What the rays go through: cube (the octants of a level), grid (voxels between "
+                 "planes of any kind), boxes (a list of them)")
       ->check(CLI::IsMember({"cube", "grid", "boxes"}));
-  app.add_flag("--segments", options.segments, "From a point to a point, in place of rays");
-  app.add_option(
-      "--grid", options.grid,
-      "The grid of this file: the JSON object \"grid\" of a replay line (default: random "
-      "ones)");
+  app.add_flag("--segments", options.segments, "Segments from point to point in place of rays");
+  app.add_option("--grid", options.grid,
+                 "The grid of all rays, a JSON file as the member grid of a replay line; otherwise "
+                 "random ones");
 }
 
 support::status take_scene(const scene_options& options, named_plan& plan,
-                           traversal_options& traversal) {
-  std::string cells = options.cells;
+                           external_options& external) {
+  constexpr std::uint64_t largest_grid = std::uint64_t{1} << 28;
   if (!options.grid.empty()) {
-    if (cells.empty())
-      cells = "grid";
-    auto text = support::read_file(options.grid, longest_grid);
+    if (!options.cells.empty() && options.cells != "grid")
+      return unexpected{fmt::format("--grid is given, but --cells is {}", options.cells)};
+    const auto text = support::read_file(options.grid, largest_grid);
     if (!text)
       return unexpected{text.reason()};
-    plan.grid = *std::move(text);
+    const auto grid = grid_from_text(*text);
+    if (!grid)
+      return unexpected{fmt::format("{}: {}", options.grid, grid.reason())};
+    plan.grid = grid_text(*grid);
+    plan.cells = "grid";
   }
-  if (!cells.empty()) {
-    plan.cells = cells;
-    traversal.external.cells = cell_kind_of(cells);
-  }
+  if (!options.cells.empty())
+    plan.cells = options.cells;
   plan.segments = options.segments;
+  if (!options.cells.empty() || !options.grid.empty())
+    external.cells = cell_kind_of(plan.cells);
   if (options.segments)
-    traversal.external.segments = true;
+    external.segments = true;
   return {};
 }
 
-support::status settle_scene(const scene_options& options, const traversal_entry& under_test,
-                             scene_choice& scene, named_plan& plan) {
-  const auto made = under_test.make();
-  const bool any_cells = options.cells.empty() && options.grid.empty();
-  for (const bool segments : {false, true})
-    for (const cell_kind cells : {cell_kind::cube, cell_kind::grid, cell_kind::boxes}) {
-      if ((!any_cells && cells != scene.cells) || (options.segments && !segments) ||
-          !made->takes(cells, segments))
+void take_scene_of(const traversal& under_test, const scene_options& options, named_plan& plan) {
+  for (const cell_kind cells : {cell_kind::cube, cell_kind::grid, cell_kind::boxes})
+    for (const bool segments : {false, true}) {
+      if ((!options.cells.empty() || !options.grid.empty()) && name_of(cells) != plan.cells)
         continue;
-      scene.cells = cells;
-      scene.segments = segments;
+      if (options.segments && !segments)
+        continue;
+      if (!under_test.takes(cells, segments))
+        continue;
       plan.cells = name_of(cells);
       plan.segments = segments;
-      return check(*made, scene);
+      return;
     }
-  return check(*made, scene);
 }
 
 } // namespace graze::fuzz

@@ -109,9 +109,9 @@ public:
   void entry(std::optional<double>& into, double x) {
     if (out_.size() == 0)
       return;
-    if (!std::isfinite(x))
+    if (std::isnan(x))
       return not_a_number();
-    into = x;
+    into = x; // infinite, where the true one is beyond all doubles
   }
   void t(double x) { entry(out_.said().t, x); }
   void distance(double x) { entry(out_.said().distance, x); }

@@ -77,7 +77,9 @@ bool within(const mpq_class& x, double allowed) {
 }
 
 bool right_t(const exact_entry& e, double said, double tolerance) {
-  return std::isfinite(said) && within(mpq_class(said) - e.at, tolerance * e.unit);
+  if (!std::isfinite(said)) // right where no double is
+    return said > 0 && e.at > mpq_class(std::numeric_limits<double>::max());
+  return within(mpq_class(said) - e.at, tolerance * e.unit);
 }
 
 bool right_distance(const exact_entry& e, double said, double tolerance) {

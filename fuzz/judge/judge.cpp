@@ -42,6 +42,12 @@ std::string_view sentence_of(finding f) {
     return "voxels were reported in another order than the ray meets them";
   case finding::revisit:
     return "a voxel was reported twice";
+  case finding::distance:
+    return "the first voxel's t or distance is off by more than the tolerance";
+  case finding::face:
+    return "the face that was named is not where the ray comes into the first voxel";
+  case finding::count:
+    return "the number of crossings of the surface is wrong";
   case finding::far_spurious:
     return "a voxel was reported that lies further from the ray than rounding explains";
   case finding::spurious:

@@ -369,7 +369,7 @@ TEST_CASE("fuzz.external: a first hit, its distance and face, whether there is o
   CHECK(answered(R"({"first":0,"face":null})", t, first).said().no_face);
   CHECK(answered("0 face none", t, first).said().no_face);
   CHECK(answered("[2,1,0]", t, first).set() == 4u); // of a list the first
-  for (const char* line : {R"({"first":0,"t":null})", "0 t nan", "0 distance inf"})
+  for (const char* line : {R"({"first":0,"t":null})", "0 t nan", "0 distance NaN"})
     CHECK(answered(line, t, first).failed() == fault::not_a_number);
   for (const char* line : {R"({"t":1})", R"({"first":0,"hit":true})", R"({"first":0,"face":"x"})",
                            "0 face up", "0 speed 3", "0 t", R"({"first":[0,0,0]})"})
