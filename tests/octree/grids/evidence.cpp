@@ -408,13 +408,11 @@ void report(const tally& t, const plan& p, double seconds, bool json) {
   for (unsigned w = 0; w <= worst; ++w)
     of_width += fmt::format(", {} of {}", t.enclosures_of[w], w);
   support::print("enclosures of t > 0: median {} ulp, worst {} ulp{}\n", median, worst, of_width);
-                 worst);
-                 for (unsigned k = 0; k < kinds; ++k)
-                   support::print("{:<25} {}\n", kind_names[k], t.wrong[k]);
-                 if (!t.first_finding.empty())
-                   support::print(
-                       "first: {}; graze-grid-evidence --seed {} --only N repeats a scene\n",
-                       t.first_finding, p.seed);
+  for (unsigned k = 0; k < kinds; ++k)
+    support::print("{:<25} {}\n", kind_names[k], t.wrong[k]);
+  if (!t.first_finding.empty())
+    support::print("first: {}; graze-grid-evidence --seed {} --only N repeats a scene\n",
+                   t.first_finding, p.seed);
 }
 
 int start(int argc, char** argv) {
