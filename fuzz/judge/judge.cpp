@@ -54,12 +54,6 @@ std::string_view sentence_of(finding f) {
     return "a voxel was reported that is none of those promised";
   case finding::outside:
     return "what was reported is no voxel of the grid";
-  case finding::distance:
-    return "t or distance of the first hit is further off than the tolerance";
-  case finding::face:
-    return "the face said to be entered is not entered";
-  case finding::count:
-    return "the number of crossings is another";
   }
   return {};
 }
