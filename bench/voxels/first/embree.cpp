@@ -1,4 +1,5 @@
-// Embree: rtcIntersect1 over boxes as user geometry, whose callback tests slabs in float and keeps the nearest.
+// Embree: rtcIntersect1 over boxes as user geometry, whose callback tests slabs in float and keeps
+// the nearest.
 #include "first_hits.hpp"
 #include <algorithm>
 #include <embree3/rtcore.h>

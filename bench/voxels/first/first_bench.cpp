@@ -1,5 +1,5 @@
-// graze-first-hits: the first occupied voxel of a sphere shell on each ray, by this library and by others, on one
-// core, and whether it is the first one by exact arithmetic.
+// graze-first-hits: the first occupied voxel of a sphere shell on each ray, by this library and by
+// others, on one core, and whether it is the first one by exact arithmetic.
 #include "first_hits.hpp"
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,6 @@
 #pragma once
-/// First hits as each library's users ask for them: one call a ray, the nearest occupied octant or none.
+/// First hits as each library's users ask for them: one call a ray, the nearest occupied octant or
+/// none.
 #include <functional>
 #include <graze/octree/ray.hpp>
 #include <memory>

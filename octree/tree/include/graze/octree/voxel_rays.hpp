@@ -7,12 +7,12 @@
 /// loops are compiled in the library and fill a buffer: a call through a pointer for a buffer, none
 /// for a voxel, and callbacks run in the caller's own rounding mode.
 ///
-/// A voxel is reported if the ray {o + t d : t >= 0}, its segment, or the segment between two points
+/// A voxel is reported if the ray {o + t d : t >= 0}, its segment, or a segment between two points
 ///   conservative, closed   may touch the closed voxel: never one too few, rarely one too many;
 ///   conservative, owned    may have a point in the half-open voxel: likewise;
 ///   exact, closed          touches the closed voxel: never one too few, never one too many;
-///   exact, owned           has a point in the half-open voxel (at the far faces of the root or grid
-///                          closed, and where a grid is flat).
+///   exact, owned           has a point in the half-open voxel (closed at the far faces of the root
+///                          or grid, and where a grid is flat).
 /// When it is in a voxel, by which face it enters, and on what length: exact_line.hpp, asked of
 /// voxel_set::cell; a walk does not pay for it.
 /// Owned voxels come front to back. Closed ones come in the order of their indices, each axis taken
