@@ -14,6 +14,10 @@ using json = nlohmann::ordered_json;
 /// What is read: its keys are looked up by a tree, so that many of them take no time.
 using read_json = nlohmann::json;
 
+/// A user's remarks, and what graze-fuzz writes beside a case (reproducers, campaigns' findings).
+constexpr std::array<std::string_view, 6> remarks{"comment",   "name", "finding",
+                                                  "missed_by", "kind", "traversal"};
+
 /// Reads members of one line and keeps the first reason why that did not work.
 class reader {
 public:
@@ -113,7 +117,7 @@ public:
       return what.empty() ? void() : refuse(fmt::format("\"{}\" is not an object", what));
     for (const auto& [key, value] : object.items())
       if (std::find(names.begin(), names.end(), key) == names.end() &&
-          !(what.empty() && (key == "comment" || key == "name")))
+          !(what.empty() && std::find(remarks.begin(), remarks.end(), key) != remarks.end()))
         return refuse(
             fmt::format("unknown member \"{}\"{}{}: remarks may be members \"comment\" and "
                         "\"name\"",

@@ -13,7 +13,8 @@
 ///   `"grid":{"origin":[3],"spacing":[3],"count":[3],"planes":"rounded"}` (a name of plane_rule) or
 ///       `"grid":{"planes":[[...],[...],[...]]}`, with `"voxel":[i,j,k]` and `extent` as above;
 ///   `"box":{"lo":[3],"hi":[3]}` or `"boxes":[...]`, up to 64 of them.
-/// Remarks may be in `comment` and `name`; any other member is refused.
+/// Remarks may be in `comment` and `name`; what graze-fuzz writes besides (`finding`, `missed_by`, `kind`,
+/// `traversal`) is left alone; any other member is refused.
 #include <string>
 #include <trial/trial.hpp>
 #include <vector>
