@@ -158,8 +158,8 @@ finished_piece read_piece(std::string_view text, const stored_plan& plan) {
     auto hash = shown.at("hash").get<std::string>();
     if (!support::is_content_hash(hash)) // it is a file's name, and stands in the page
       refuse("the hash of a finding is not 32 hex digits");
-    p.findings.push_back({std::move(hash), *kind, read_count(shown.at("ray"), "ray"),
-                          shown.at("tame").get<bool>()});
+    p.findings.push_back(
+        {std::move(hash), *kind, read_count(shown.at("ray"), "ray"), shown.at("tame").get<bool>()});
   }
   return p;
 }
@@ -334,10 +334,9 @@ std::string difference(const stored_plan& there, const stored_plan& wanted,
 }
 
 const std::vector<std::string>& common_members() {
-  static const std::vector<std::string> members{"traversal", "external", "generators", "search",
-                                                "level",     "cells",    "segments",   "grid",
-                                                "seed",      "rays",     "tame",       "hangs",
-                                                "piece"};
+  static const std::vector<std::string> members{
+      "traversal", "external", "generators", "search", "level", "cells", "segments",
+      "grid",      "seed",     "rays",       "tame",   "hangs", "piece"};
   return members;
 }
 
