@@ -344,11 +344,12 @@ public:
       : rest_(line), word_(next_word(rest_)), id_(id), into_(into), echo_(echo) {}
 
   void read() {
-    if (word_ == "skip" && next_word(rest_).empty())
-      return into_.decline();
     const promise p = into_.promised();
     bool good = true;
-    if (p == promise::any)
+    if (word_ == "skip") {
+      into_.decline();
+      next();
+    } else if (p == promise::any)
       good = hit();
     else if (p == promise::count)
       good = count();

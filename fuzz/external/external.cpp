@@ -364,6 +364,7 @@ trial first_trial(cell_kind cells, bool segment) {
     grid_planes grid;
     grid.spacing = {0.5, 0.5, 0.5};
     grid.count = {2, 2, 2};
+    grid.rule = octree::plane_rule::multiplied; // all give the same planes
     t.grid = std::make_shared<const grid_planes>(grid);
   }
   if (cells == cell_kind::boxes)

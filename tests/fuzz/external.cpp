@@ -299,6 +299,8 @@ TEST_CASE("fuzz.external: answers are read in every spelling, and wrong ones ref
   for (const char* line : {"[[-1,4,6]]", "[[8,4,6]]", "2 4 1e300", "[[18446744073709551615,4,6]]"})
     CHECK(read(line).outside());
   CHECK(read("skip").declined());
+  CHECK(read("skip id 7").declined());
+  CHECK(read("skip 1 2 3").failed() == fault::malformed);
   CHECK(read(R"({"skip":true})").declined());
   const visited ray =
       read(R"({"visited":[],"received":{"origin":[0,"0x1p-1",0],"direction":[1,0,-1]}})");
