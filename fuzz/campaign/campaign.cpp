@@ -21,9 +21,8 @@ constexpr finding_set faults_of_answers = bit(finding::crash) | bit(finding::han
                                           bit(finding::exception) | bit(finding::not_a_number) |
                                           bit(finding::malformed);
 
-/// A traversal is asked this many at a time, after fewer: 1, 2, 4 and so on, so that the first
-/// answers of a slow one do not wait for the others.
-constexpr std::size_t most_asked = 64;
+constexpr finding_set wrong_remarks_of_answers =
+    bit(finding::distance) | bit(finding::face) | bit(finding::count);
 
 } // namespace
 
@@ -49,6 +48,8 @@ void counts::add(const verdict& v) {
     ++order_errors;
   if ((v.findings & (bit(finding::revisit) | bit(finding::outside))) != 0)
     ++revisits;
+  if ((v.findings & wrong_remarks_of_answers) != 0)
+    ++wrong_remarks;
   if (v.findings != 0)
     ++findings;
 }
@@ -68,6 +69,11 @@ void campaign_result::add(const campaign_result& other) {
         keep_lower(first[g][k], *other.first[g][k]);
   }
   total += other.total;
+  samples.insert(samples.end(), other.samples.begin(), other.samples.end());
+  std::sort(samples.begin(), samples.end(),
+            [](const sample& a, const sample& b) { return a.ray < b.ray; });
+  if (samples.size() > most_samples)
+    samples.erase(samples.begin() + most_samples, samples.end());
   if (other.first_miss_seconds)
     first_miss_seconds =
         std::min(first_miss_seconds.value_or(*other.first_miss_seconds), *other.first_miss_seconds);
@@ -121,13 +127,18 @@ trial trial_source::at(std::uint64_t index) {
 
 campaign_result search_rays(const campaign_plan& plan, schedule& stretches) {
   const auto under_test = plan.under_test.guarded();
+  const promise promised = under_test->promises();
+  const double tolerance = under_test->tolerance().value_or(usual_tolerance);
   trial_source source(plan);
   campaign_result result(plan.generators.size());
+  // a traversal is asked as many at a time as suits it, after fewer: 1, 2, 4 and so on, so that the first
+  // answers of a slow one do not wait for the others
+  const std::size_t most_asked = std::max<std::size_t>(1, under_test->at_once());
   std::vector<trial> asked(most_asked);
   std::vector<visited> answers(most_asked);
 
   const auto judge_one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
-    const verdict v = judge_answer(t, answer, under_test->promises());
+    const verdict v = judge_answer(t, answer, promised, tolerance);
     const std::size_t g = generator_of(plan, ray);
     result.by_generator[g].add(v);
     if (v.findings == 0)
@@ -137,6 +148,8 @@ campaign_result search_rays(const campaign_plan& plan, schedule& stretches) {
     for (unsigned k = 0; k < finding_kinds; ++k)
       if ((v.findings >> k & 1) != 0)
         keep_lower(result.first[g][k], ray);
+    if (result.samples.size() < most_samples && (v.findings & faults_of_answers) == 0)
+      result.samples.push_back({ray, t, answer});
     if (plan.until_finding)
       stretches.end();
   };

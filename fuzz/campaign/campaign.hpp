@@ -25,7 +25,9 @@ struct counts {
   std::uint64_t far_spurious = 0; ///< rays with a spurious octant that rounding does not explain
   std::uint64_t order_errors = 0; ///< rays whose owning octants were visited out of order
   std::uint64_t revisits = 0;     ///< rays with an octant reported twice, or one not of the block
-  std::uint64_t findings = 0;     ///< rays with a finding of any kind
+  std::uint64_t wrong_remarks =
+      0; ///< rays whose first cell's t, distance or face is wrong, or whose count
+  std::uint64_t findings = 0; ///< rays with a finding of any kind
   std::uint64_t faults = 0; ///< rays that were not answered: crash, hang, exception, NaN, malformed
   std::uint64_t declined = 0; ///< rays that the traversal does not take: nothing was judged
 
@@ -41,6 +43,14 @@ struct counts {
 /// The counts as they stand in the struct, so that a new one is nowhere forgotten.
 using count_row = std::array<std::uint64_t, sizeof(counts) / sizeof(std::uint64_t)>;
 
+/// A ray with a finding that is no fault, and what was answered.
+struct sample {
+  std::uint64_t ray;
+  trial at;
+  visited answer;
+};
+inline constexpr std::size_t most_samples = 64;
+
 struct campaign_result {
   explicit campaign_result(std::size_t generators = 0)
       : by_generator(generators), first(generators) {}
@@ -51,6 +61,7 @@ struct campaign_result {
   std::optional<double> first_miss_seconds; ///< until the first miss or gap
   /// For each generator and each kind of finding the first ray (lowest number) that showed it.
   std::vector<std::array<std::optional<std::uint64_t>, finding_kinds>> first;
+  std::vector<sample> samples; ///< the first most_samples of them, by their numbers
   bool interrupted = false;
 
   /// Adds what another worker's rays of the same plan showed.

@@ -74,7 +74,9 @@ public:
     return cells == plan_->cells() && segment == plan_->segments();
   }
   [[nodiscard]] std::optional<double> tolerance() const override {
-    return plan_->options.tolerance;
+    const external_options& o = plan_->options;
+    constexpr double ulp_of_float = 0x1p29; // in those of double
+    return o.as_float ? o.tolerance.value_or(usual_tolerance) * ulp_of_float : o.tolerance;
   }
   [[nodiscard]] std::size_t at_once() const override { return std::max<std::size_t>(64, batch()); }
 

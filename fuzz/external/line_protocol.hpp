@@ -74,7 +74,5 @@ std::string promise_names();
 std::string_view name_of(cell_kind cells);
 /// By the names of name_of().
 std::optional<cell_kind> cell_kind_of(std::string_view name);
-/// "exact", "rounded", "multiplied", "added", "float"; "given".
-std::string_view name_of(octree::plane_rule rule);
 
 } // namespace graze::fuzz

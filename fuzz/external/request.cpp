@@ -241,21 +241,4 @@ void append_batch(std::string& text, std::span<const trial> trials,
     text += "]}\n";
 }
 
-std::string_view name_of(octree::plane_rule rule) {
-  switch (rule) {
-  case octree::plane_rule::rounded:
-    return "rounded";
-  case octree::plane_rule::multiplied:
-    return "multiplied";
-  case octree::plane_rule::added:
-    return "added";
-  case octree::plane_rule::binary32:
-    return "float";
-  case octree::plane_rule::given:
-    return "given";
-  default:
-    return "exact";
-  }
-}
-
 } // namespace graze::fuzz

@@ -1,17 +1,18 @@
 #include <algorithm>
 #include <cmath>
-#include <graze/oracle/geometry.hpp>
-#include <graze/oracle/rational.hpp>
+#include <fmt/format.h>
+#include <judge/exact_cells.hpp>
+#include <judge/first.hpp>
 #include <judge/judge.hpp>
 #include <limits>
-#include <vector>
 
 namespace graze::fuzz {
 
 std::string_view name_of(finding f) {
   static constexpr std::array<std::string_view, finding_kinds> names{
-      "crash", "hang", "exception", "nan",     "malformed",    "gross-miss", "crossed-miss", "gap",
-      "seam",  "miss", "order",     "revisit", "far-spurious", "spurious",   "outside"};
+      "crash",        "hang",     "exception", "nan",      "malformed", "gross-miss",
+      "crossed-miss", "gap",      "seam",      "miss",     "order",     "revisit",
+      "far-spurious", "spurious", "outside",   "distance", "face",      "count"};
   return names[static_cast<unsigned>(f)];
 }
 
@@ -23,50 +24,6 @@ std::optional<finding> finding_of(std::string_view name) {
 }
 
 namespace {
-
-/// layer[a][k]: the voxels of index k on axis a.
-constexpr auto layer = [] {
-  std::array<std::array<octant_set, max_extent>, 3> result{};
-  for (unsigned z = 0; z < max_extent; ++z)
-    for (unsigned y = 0; y < max_extent; ++y)
-      for (unsigned x = 0; x < max_extent; ++x) {
-        const octant_set v = octant_set{1} << octant_at(x, y, z);
-        result[0][x] |= v;
-        result[1][y] |= v;
-        result[2][z] |= v;
-      }
-  return result;
-}();
-
-/// What a place on one axis of a block (oracle::place) says about the octants there.
-struct layers {
-  octant_set closed; ///< those whose closed boxes reach the place
-  octant_set owner;  ///< those whose half-open boxes do
-  bool surrounded;   ///< on either side there are octants of the block, or the outside of the root
-};
-
-/// places[axis][extent - 1][faces][place]; faces: bit 0 the block starts at the root's near face,
-/// bit 1 it ends at the far face.
-constexpr auto places = [] {
-  std::array<std::array<std::array<std::array<layers, 2 * max_extent + 1>, 4>, max_extent>, 3>
-      all{};
-  for (unsigned a = 0; a < 3; ++a)
-    for (unsigned n = 1; n <= max_extent; ++n)
-      for (unsigned faces = 0; faces < 4; ++faces)
-        for (unsigned place = 0; place <= 2 * n; ++place) {
-          const unsigned k = place / 2;
-          layers& at = all[a][n - 1][faces][place];
-          at.surrounded = true;
-          if (place % 2 != 0) {
-            at.closed = at.owner = layer[a][k];
-            continue;
-          }
-          at.closed = (k < n ? layer[a][k] : 0) | (k > 0 ? layer[a][k - 1] : 0);
-          at.owner = k < n ? layer[a][k] : ((faces & 2) != 0 ? layer[a][k - 1] : 0);
-          at.surrounded = !(k == 0 && (faces & 1) == 0) && !(k == n && (faces & 2) == 0);
-        }
-  return all;
-}();
 
 finding finding_of(fault f) {
   switch (f) {
@@ -85,128 +42,125 @@ finding finding_of(fault f) {
 
 } // namespace
 
-truth truth_of(const trial& t) {
-  std::array<std::array<double, max_extent + 1>, 3> planes;
-  std::array<std::span<const double>, 3> grid;
-  for (unsigned a = 0; a < 3; ++a) {
-    for (unsigned k = 0; k <= t.extent[a]; ++k)
-      planes[a][k] = t.plane(static_cast<int>(a), k);
-    grid[a] = std::span<const double>(planes[a].data(), t.extent[a] + 1u);
-  }
-  const unsigned far_face = t.at_far_face();
-  const unsigned near_face = t.at_near_face();
-  truth exact;
-  thread_local std::vector<oracle::step> steps;
-  oracle::steps_in_grid(t.origin, t.direction, grid, steps);
-  std::array<const layers*, 3> on;
-  for (unsigned a = 0; a < 3; ++a)
-    on[a] = places[a][t.extent[a] - 1u][(near_face >> a & 1) | (far_face >> a & 1) << 1].data();
-  for (const oracle::step& s : steps) {
-    const layers &x = on[0][s.at[0]], &y = on[1][s.at[1]], &z = on[2][s.at[2]];
-    const octant_set closed = x.closed & y.closed & z.closed;
-    const octant_set owner = x.owner & y.owner & z.owner;
-    const bool interior = (s.at[0] & s.at[1] & s.at[2] & 1) != 0;
-    exact.touched |= closed;
-    exact.crossed |= interior ? closed : 0;
-    if (owner != 0 && (exact.owned & owner) == 0) {
-      exact.owned |= owner;
-      exact.owner_order[exact.owners++] = static_cast<octant_number>(std::countr_zero(owner));
-    }
-    const bool surrounded = x.surrounded & y.surrounded & z.surrounded;
-    if (s.segment && surrounded && exact.length_count < exact.lengths.size())
-      exact.lengths[exact.length_count++] = closed;
-  }
-  return exact;
-}
-
 namespace {
 
 /// A point of the ray is proven to be in the box from `near` to `beyond`, which is `box` with its
 /// faces moved as far_spurious says, for numbers in its range. The point's coordinate as computed,
 /// x, is off by less than 2^-49 (|o| + |x|), in every rounding mode: half of what the faces were
 /// moved by is four times as much.
-bool comes_near(const trial& t, const cube& box, const vec3& near, const vec3& beyond) {
-  double enter = 0, leave = std::numeric_limits<double>::infinity();
+bool comes_near(const trial& t, const octree::box& box, const vec3& near, const vec3& beyond) {
+  double enter = 0, leave = t.end ? 1 : std::numeric_limits<double>::infinity();
   for (unsigned a = 0; a < 3; ++a) {
     const double o = t.origin[a], d = t.direction[a];
     if (d == 0)
       continue;
-    const double lo = (box.lo[a] - o) / d, hi = (box.hi(static_cast<int>(a)) - o) / d;
+    const double lo = (box.lo[a] - o) / d, hi = (box.hi[a] - o) / d;
     enter = std::max(enter, std::min(lo, hi));
     leave = std::min(leave, std::max(lo, hi));
   }
-  const double when = std::max(0.0, (enter + leave) / 2);
+  const double when =
+      std::clamp((enter + leave) / 2, 0.0, t.end ? 1 : std::numeric_limits<double>::infinity());
   bool inside = true;
   for (unsigned a = 0; a < 3; ++a) {
     const double x = t.origin[a] + when * t.direction[a];
     inside &= (near[a] + box.lo[a]) / 2 <= x;
-    inside &= x <= (beyond[a] + box.hi(static_cast<int>(a))) / 2;
+    inside &= x <= (beyond[a] + box.hi[a]) / 2;
   }
   return inside;
 }
 
+/// Every product that a test may form stays within 2^-800..2^800.
+bool in_range(const trial& t) {
+  for (unsigned a = 0; a < 3; ++a) {
+    const double d = std::fabs(t.direction[a]);
+    if ((d != 0 && d < 0x1p-250) || d > 0x1p250 || std::fabs(t.origin[a]) > 0x1p250)
+      return false;
+  }
+  return true;
+}
+bool in_range(const octree::box& b) {
+  for (unsigned a = 0; a < 3; ++a) {
+    const double size = b.hi[a] - b.lo[a];
+    if (std::fabs(b.lo[a]) > 0x1p250 || std::fabs(b.hi[a]) > 0x1p250 ||
+        (size != 0 && size < 0x1p-250))
+      return false;
+  }
+  return true;
+}
+
 } // namespace
 
-octant_set far_spurious(const trial& t, const truth& exact, const visited& answer) {
-  octant_set left = spurious(exact, answer);
-  if (left == 0)
-    return 0;
-  // every product that a test may form stays within 2^-800..2^800
-  for (int a = 0; a < 3; ++a) {
-    const double d = std::fabs(t.direction[a]);
-    if ((d != 0 && d < 0x1p-250) || d > 0x1p250 || std::fabs(t.origin[a]) > 0x1p250 ||
-        std::fabs(t.root.lo[a]) > 0x1p250)
-      return 0;
-  }
-  if (t.root.size > 0x1p250 || t.size() < 0x1p-250)
+octant_set far_from(const trial& t, octant_set cells) {
+  if (!in_range(t) || (t.cells() == cell_kind::cube &&
+                       (t.root.size > 0x1p250 || std::fabs(t.root.lo[0]) > 0x1p250 ||
+                        std::fabs(t.root.lo[1]) > 0x1p250 || std::fabs(t.root.lo[2]) > 0x1p250)))
     return 0;
   octant_set far = 0;
-  for (; left != 0; left &= left - 1) {
+  for (octant_set left = cells; left != 0; left &= left - 1) {
     const auto v = static_cast<octant_number>(std::countr_zero(left));
-    const cube box = t.octant(v);
+    const octree::box box = t.cell(v);
+    if (!in_range(box))
+      continue;
     vec3 near, beyond;
     for (unsigned a = 0; a < 3; ++a) {
       const double lo = box.lo[a];
-      const double hi = box.hi(static_cast<int>(a));
+      const double hi = box.hi[a];
       const double reach =
           0x1p-47 * (std::fabs(t.origin[a]) + std::max(std::fabs(lo), std::fabs(hi))) + 0x1p-1000;
       near[a] = lo - reach;
       beyond[a] = hi + reach;
     }
-    if (!comes_near(t, box, near, beyond) && !oracle::touches(t.origin, t.direction, near, beyond))
+    if (!comes_near(t, box, near, beyond) &&
+        !(t.end ? oracle::meeting(line_of(t), oracle::box_of(near, beyond)).touches()
+                : oracle::touches(t.origin, t.direction, near, beyond)))
       far |= octant_set{1} << v;
   }
   return far;
 }
 
+octant_set far_spurious(const trial& t, const truth& exact, const visited& answer) {
+  const octant_set left = spurious(exact, answer);
+  return left == 0 ? 0 : far_from(t, left);
+}
+
 namespace {
 
-/// Whether the ray's chord in a box is over size / 1000, where long doubles prove it: their
+/// The shortest edge of a box that is not 0; 0 of a point.
+double shortest_edge(const octree::box& b) {
+  double least = 0;
+  for (unsigned a = 0; a < 3; ++a)
+    if (const double edge = b.hi[a] - b.lo[a]; edge != 0 && (least == 0 || edge < least))
+      least = edge;
+  return least;
+}
+
+/// Whether the ray's chord in a box is over edge / 1000, where long doubles prove it: their
 /// exponents hold every value here, and each operation is off by at most epsilon of its result, in
-/// any rounding mode; so a time is off by 2 epsilon of itself, the span by 5 of the later time.
-std::optional<bool> is_gross(const trial& t, const cube& box) {
+/// any rounding mode; so a time is off by 3 epsilon of itself (a segment's components are rounded too),
+/// the span by 7 of the later time.
+std::optional<bool> is_gross(const trial& t, const octree::box& box, double edge) {
   using wide = long double;
   static_assert(std::numeric_limits<wide>::digits >= 53);
   constexpr wide unit = 8 * std::numeric_limits<wide>::epsilon();
   wide in = 0;
-  wide out = std::numeric_limits<wide>::infinity();
+  wide out = t.end ? wide{1} : std::numeric_limits<wide>::infinity();
   wide square_of_length = 0;
   for (unsigned a = 0; a < 3; ++a) {
-    const wide d = t.direction[a];
+    const wide d = t.end ? wide{(*t.end)[a]} - wide{t.origin[a]} : wide{t.direction[a]};
     square_of_length += d * d;
     if (d == 0) {
-      if (t.origin[a] < box.lo[a] || t.origin[a] > box.hi(static_cast<int>(a)))
+      if (t.origin[a] < box.lo[a] || t.origin[a] > box.hi[a])
         return false;
       continue;
     }
     const wide to_lo = (wide{box.lo[a]} - wide{t.origin[a]}) / d;
-    const wide to_hi = (wide{box.hi(static_cast<int>(a))} - wide{t.origin[a]}) / d;
+    const wide to_hi = (wide{box.hi[a]} - wide{t.origin[a]}) / d;
     in = std::max(in, std::min(to_lo, to_hi));
     out = std::min(out, std::max(to_lo, to_hi));
   }
   const wide length = std::sqrt(square_of_length);
   const wide off = unit * out;
-  const wide least = wide{t.size()} / 1000;
+  const wide least = wide{edge} / 1000;
   if ((out - in + off) * length < least * (1 - 0x1p-40L))
     return false;
   if ((out - in - off) * length > least * (1 + 0x1p-40L))
@@ -214,27 +168,34 @@ std::optional<bool> is_gross(const trial& t, const cube& box) {
   return std::nullopt;
 }
 
+bool is_gross_exactly(const trial& t, octant_number v) {
+  const auto line = rational_line(t);
+  const auto cell = rational_cell(t, v);
+  mpq_class least = 0;
+  for (unsigned a = 0; a < 3; ++a)
+    if (const mpq_class edge = cell.hi[a] - cell.lo[a]; edge != 0 && (least == 0 || edge < least))
+      least = edge;
+  mpq_class square_of_length = 0; // of the direction
+  for (const mpq_class& d : line.velocity)
+    square_of_length += d * d;
+  const auto in = oracle::rational::range_in(line, cell);
+  if (!in || least == 0)
+    return false;
+  least /= 1000;
+  const mpq_class span = in->second - in->first;
+  return span * span * square_of_length > least * least;
+}
+
 } // namespace
 
 octant_set gross(const trial& t, octant_set missed) {
+  const bool doubles = !(t.grid && t.grid->rule == plane_rule::exact);
   octant_set result = 0;
   for (octant_set left = missed; left != 0; left &= left - 1) {
     const auto v = static_cast<octant_number>(std::countr_zero(left));
-    const cube box = t.octant(v);
-    if (const auto known = is_gross(t, box)) {
-      result |= octant_set{*known} << v;
-      continue;
-    }
-    mpq_class square_of_length = 0; // of the direction
-    for (const double d : t.direction)
-      square_of_length += mpq_class(d) * mpq_class(d);
-    const mpq_class least = mpq_class(t.size()) / 1000;
-    const auto in = oracle::rational::range_in(t.origin, t.direction, box.lo,
-                                               {box.hi(0), box.hi(1), box.hi(2)});
-    if (!in)
-      continue;
-    const mpq_class span = in->second - in->first;
-    if (span * span * square_of_length > least * least)
+    const octree::box box = t.cell(v);
+    const auto known = doubles ? is_gross(t, box, shortest_edge(box)) : std::nullopt;
+    if (known ? *known : is_gross_exactly(t, v))
       result |= octant_set{1} << v;
   }
   return result;
@@ -245,24 +206,49 @@ std::optional<trial> trial_answered(const trial& t, const visited& answer) {
     return std::nullopt;
   if (!answer.received())
     return t;
-  trial at = t;
-  at.origin = answer.received()->origin;
-  at.direction = answer.received()->direction;
-  if (answer.received()->end)
-    at.end = answer.received()->end;
-  if (answer.received()->boxes)
-    at.boxes = answer.received()->boxes;
-  if (!octree::ray::make(at.origin, at.direction))
+  const received_ray& r = *answer.received();
+  if (t.end.has_value() !=
+      r.end.has_value()) // a segment that became a ray: it says nothing of ours
+    return std::nullopt;
+  trial at = r.end ? with_end(t, r.origin, *r.end) : with_ray(t, r.origin, r.direction);
+  if (r.boxes)
+    at.boxes = r.boxes;
+  if (!judgeable(at))
     return std::nullopt;
   return at;
 }
 
-verdict judge(const trial& t, const truth& exact, const visited& answer, promise p) {
+support::status judgeable(promise p, cell_kind cells) {
+  if (cells == cell_kind::boxes && promises_owned(p))
+    return unexpected{
+        fmt::format("promise {} says nothing of boxes, which may overlap: owning is for "
+                    "cells of a grid; take crossed or exactly-touched",
+                    name_of(p))};
+  return {};
+}
+
+verdict judge(const trial& t, const truth& exact, const visited& answer, promise p,
+              double tolerance) {
   verdict v;
   v.touched = exact.touched;
   if (answer.failed() != fault::none) {
     v.findings = bit(finding_of(answer.failed()));
     return v;
+  }
+  if (!judgeable(p, t.cells())) {
+    v.declined = true;
+    return v;
+  }
+  switch (p) {
+  case promise::first:
+  case promise::first_touched:
+    return judge_first(t, exact, answer, p, tolerance);
+  case promise::any:
+    return judge_any(t, exact, answer);
+  case promise::count:
+    return judge_count(t, exact, answer);
+  default:
+    break;
   }
   v.missed = misses(exact, answer, p);
   v.crossed_missed = crossed_missed(exact, answer);
@@ -297,9 +283,9 @@ verdict judge(const trial& t, const truth& exact, const visited& answer, promise
   return v;
 }
 
-verdict judge_answer(const trial& t, const visited& answer, promise p) {
+verdict judge_answer(const trial& t, const visited& answer, promise p, double tolerance) {
   if (const auto at = trial_answered(t, answer))
-    return judge(*at, truth_of(*at), answer, p);
+    return judge(*at, truth_of(*at), answer, p, tolerance);
   verdict v;
   v.declined = true;
   return v;
@@ -308,7 +294,8 @@ verdict judge_answer(const trial& t, const visited& answer, promise p) {
 verdict judge(const trial& t, traversal& under_test) {
   visited answer;
   ask(under_test, t, answer);
-  return judge_answer(t, answer, under_test.promises());
+  return judge_answer(t, answer, under_test.promises(),
+                      under_test.tolerance().value_or(usual_tolerance));
 }
 
 } // namespace graze::fuzz

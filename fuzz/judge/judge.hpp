@@ -3,6 +3,7 @@
 /// ray in a block (`truth`) and what was visited. The campaign, the shrinker, replay and the
 /// RapidCheck tests all use these.
 #include <bit>
+#include <graze/oracle/lines.hpp>
 #include <optional>
 #include <traversal/traversal.hpp>
 #include <trial/trial.hpp>
@@ -12,8 +13,11 @@ namespace graze::fuzz {
 /// What exact arithmetic says about a trial.
 struct truth {
   octant_set touched = 0; ///< closed boxes that the ray meets
-  octant_set owned = 0;   ///< half-open boxes that the ray meets (the root's far faces are closed)
-  octant_set crossed = 0; ///< open interiors that the ray meets
+  octant_set owned =
+      0; ///< half-open boxes that the ray meets (far faces of the root or grid, and flat
+         ///< axes, are closed); none of a list of boxes
+  octant_set crossed =
+      0; ///< open interiors that the ray meets; of a flat cell the interior in its plane
   /// The owning octants in order of t.
   std::array<octant_number, 64> owner_order;
   unsigned owners = 0;
@@ -21,7 +25,17 @@ struct truth {
   /// root: the octants whose closed boxes hold it.
   std::array<octant_set, 40> lengths;
   unsigned length_count = 0;
+  /// The cells that are touched at the smallest t at which any is.
+  octant_set soonest = 0;
+  /// The cells that are touched no later than the first crossed one is; all touched where none is crossed.
+  octant_set not_after = 0;
+  octant_number first_crossed = 0; ///< the crossed cell that is entered first, if any is crossed
 };
+
+/// A trial's ray or segment, as the oracle has it.
+oracle::line line_of(const trial& t);
+/// Plane k of the block, 0 <= k <= extent, not rounded.
+oracle::plane_terms exact_plane(const trial& t, unsigned axis, unsigned k);
 
 /// Exact, for every trial that passes judgeable().
 truth truth_of(const trial& t);
@@ -99,7 +113,8 @@ octant_set gross(const trial& t, octant_set missed);
 /// The kinds of finding, most serious first; a set of them is a finding_set. A gross miss is a
 /// crossed miss too; a `seam` is a gap
 /// in a face or an edge that octants have in common, a `gap` any other. `spurious` is one for an exact
-/// promise only; the first five are those of `fault`, and leave nothing else to judge.
+/// promise only; `distance` and `face` are of what is said of a first cell's entry, `count` of a number of
+/// crossings; the first five are those of `fault`, and leave nothing else to judge.
 enum class finding : unsigned {
   crash,
   hang,
@@ -115,9 +130,12 @@ enum class finding : unsigned {
   revisit,
   far_spurious,
   spurious,
-  outside
+  outside,
+  distance,
+  face,
+  count
 };
-inline constexpr unsigned finding_kinds = 15;
+inline constexpr unsigned finding_kinds = 18;
 std::string_view name_of(finding f);
 /// By the names of name_of().
 std::optional<finding> finding_of(std::string_view name);
@@ -142,12 +160,25 @@ struct verdict {
 /// ray, or when the trial was declined.
 std::optional<trial> trial_answered(const trial& t, const visited& answer);
 
+/// Ulps by which the entry into a first cell may be off where nobody says otherwise.
+inline constexpr double usual_tolerance = 16;
+
 /// Judges an answer by its promise. Order is judged where owning octants are promised. `t` is the
 /// trial that the answer is for.
-verdict judge(const trial& t, const truth& exact, const visited& answer, promise p);
+///
+/// A first cell's t is off by the tolerance at most, in ulps (2^-52) of the largest of |t|,
+/// (|o| + |p|) / |d| on each axis of which a plane is met at the entry p, and the same of the largest
+/// components; a distance in those times |d|. A face is right if its plane is met at the entry within this
+/// tolerance; that none is entered, if the entry is as close to t = 0.
+verdict judge(const trial& t, const truth& exact, const visited& answer, promise p,
+              double tolerance = usual_tolerance);
 
 /// Judges an answer to t on the ray that was received.
-verdict judge_answer(const trial& t, const visited& answer, promise p);
+verdict judge_answer(const trial& t, const visited& answer, promise p,
+                     double tolerance = usual_tolerance);
+
+/// Whether the promise says something of these cells, or why not.
+support::status judgeable(promise p, cell_kind cells);
 
 /// Asks the traversal and judges the answer.
 verdict judge(const trial& t, traversal& under_test);

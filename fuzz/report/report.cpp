@@ -1,3 +1,4 @@
+#include <campaign/hint.hpp>
 #include <chrono>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
@@ -36,6 +37,7 @@ void add_counts(json& object, const counts& c) {
   object["far_spurious"] = c.far_spurious;
   object["order_errors"] = c.order_errors;
   object["revisits"] = c.revisits;
+  object["wrong_remarks"] = c.wrong_remarks;
   object["rays_with_finding"] = c.findings;
   object["faults"] = c.faults;
   object["declined"] = c.declined;
@@ -55,6 +57,9 @@ std::string table(const campaign_plan& plan, const campaign_result& result) {
   for (std::size_t g = 0; g < plan.generators.size(); ++g)
     text += row(plan.generators[g]->name, result.by_generator[g]);
   text += row("all", result.total);
+  if (result.total.wrong_remarks != 0)
+    text += fmt::format("{} rays with a wrong distance, face or number of crossings\n",
+                        result.total.wrong_remarks);
   if (result.total.faults != 0)
     text += fmt::format("{} rays without an answer (crash, hang, exception, NaN or malformed)\n",
                         result.total.faults);
@@ -94,10 +99,13 @@ std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
 
 std::string describe(const campaign_plan& plan, const campaign_result& result,
                      const counterexample& c) {
-  std::string text = fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
-                                 name_of(c.kind), support::shown(plan.under_test.name), c.ray,
-                                 plan.seed, plan.generators[generator_of(plan, c.ray)]->name,
-                                 spelled(c.found), spelled(c.shrunk));
+  std::string text;
+  if (const auto hint = hint_of(result.samples, plan.under_test.guarded()->promises()))
+    text += fmt::format("{}\n", advice_on(*hint));
+  text += fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}", name_of(c.kind),
+                      support::shown(plan.under_test.name), c.ray, plan.seed,
+                      plan.generators[generator_of(plan, c.ray)]->name, spelled(c.found),
+                      spelled(c.shrunk));
   text += fmt::format("replay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(c.shrunk),
                       plan.under_test.asked_for());
   for (unsigned k = 0; k < finding_kinds; ++k) {
@@ -129,6 +137,8 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["first_miss_seconds"] =
       result.first_miss_seconds ? json(*result.first_miss_seconds) : json(nullptr);
   object["interrupted"] = result.interrupted;
+  const auto hint = hint_of(result.samples, plan.under_test.guarded()->promises());
+  object["hint"] = hint ? json(name_of(*hint)) : json(nullptr);
   object["finding"] = c ? json(name_of(c->kind)) : json(nullptr);
   object["counterexample"] = c ? json::parse(to_json_line(c->shrunk)) : json(nullptr);
   object["found_as"] = c ? json::parse(to_json_line(c->found)) : json(nullptr);

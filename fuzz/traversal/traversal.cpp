@@ -61,6 +61,11 @@ public:
   }
 
   std::size_t visit_some(std::span<const trial> trials, std::span<visited> out) override {
+    if (!takes(trials[0].cells(), trials[0].end.has_value())) {
+      out[0].clear();
+      out[0].decline();
+      return 1;
+    }
     if (now_) {
       std::size_t answered = 0;
       visited answer;
@@ -132,6 +137,8 @@ std::size_t traversal::visit_some(std::span<const trial> trials, std::span<visit
 
 void ask(traversal& under_test, const trial& t, visited& out) {
   out.clear();
+  if (!under_test.takes(t.cells(), t.end.has_value()))
+    return out.decline();
   guard(out, [&] { under_test.visit(t, out); });
 }
 

@@ -146,7 +146,7 @@ struct traversal {
   [[nodiscard]] virtual bool takes(cell_kind cells, bool segment) const {
     return cells == cell_kind::cube && !segment;
   }
-  /// By how many ulps t and distance may be off; nothing where nobody has said so.
+  /// By how many ulps of double t and distance may be off; nothing where nobody has said so.
   [[nodiscard]] virtual std::optional<double> tolerance() const { return std::nullopt; }
   /// So many trials at a time suit it.
   [[nodiscard]] virtual std::size_t at_once() const { return 64; }

@@ -2,6 +2,7 @@
 /// going wrong is told, on the ray that brings it on.
 #include "../support/program.hpp"
 #include "campaign_of.hpp"
+#include <campaign/hint.hpp>
 #include <external/external.hpp>
 #include <filesystem>
 #include <fstream>
@@ -564,6 +565,31 @@ TEST_CASE("graze-fuzz run --command: found, shrunk, saved and replayed", "[unit]
   line.replace(line.find("| graze-fuzz"), 12, std::string("| ") + GRAZE_FUZZ);
   std::ofstream(dir / "paste") << line << '\n';
   CHECK(support::call("/bin/sh", dir / "paste").code == 1);
+}
+
+TEST_CASE(
+    "fuzz.external: answers for rays in float, or for directions of length 1, are told as such",
+    "[property]") {
+  const auto told = [](const std::string& behaviour, bool as_float = false) {
+    external_options options = peer(behaviour);
+    options.as_float = as_float;
+    const campaign_result result = campaign(started(options), 3000);
+    return hint_of(result.samples, promise::owned);
+  };
+  CHECK(told("float-silent") == other_ray::as_float);
+  CHECK(told("unit-silent") == other_ray::unit_direction);
+  CHECK_FALSE(told("drops")); // it is wrong for these rays too
+  CHECK_FALSE(told("right"));
+  CHECK_FALSE(told("float"));
+  CHECK_FALSE(told("drops", true));
+  const auto run = [](const std::string& behaviour, const std::string& more) {
+    return support::call(GRAZE_FUZZ, "run --rays 2000 --level 10 --no-shrink --promise owned " +
+                                         more + command(behaviour));
+  };
+  CHECK(run("float-silent", "").out.find("say --float") != std::string::npos);
+  CHECK(nlohmann::json::parse(run("float-silent", "--json ").out)["hint"] == "float");
+  CHECK(nlohmann::json::parse(run("drops", "--json ").out)["hint"].is_null());
+  CHECK(run("drops", "").out.find("--float") == std::string::npos);
 }
 
 TEST_CASE("graze-fuzz run --command: a crash is shrunk, and replayed", "[unit]") {

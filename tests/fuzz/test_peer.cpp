@@ -225,6 +225,16 @@ int main(int argc, char** argv) {
       std::cout << "[[-1,0,0]]" << std::endl;
       continue;
     }
+    if (is("unit-silent")) {
+      const double length =
+          std::sqrt(t.direction[0] * t.direction[0] + t.direction[1] * t.direction[1] +
+                    t.direction[2] * t.direction[2]);
+      for (double& d : t.direction)
+        d /= length;
+      const bool ray = graze::octree::ray::make(t.origin, t.direction).has_value();
+      std::cout << (ray ? answer_to(t, *sound) : json{{"skip", true}}) << std::endl;
+      continue;
+    }
     if (is("float") || is("float-silent")) {
       json received;
       for (vec3* v : {&t.origin, &t.direction})

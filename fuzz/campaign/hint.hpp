@@ -1,0 +1,19 @@
+#pragma once
+/// Whether what was found is explained by another ray than the one that was sent.
+#include <campaign/campaign.hpp>
+#include <optional>
+#include <string_view>
+
+namespace graze::fuzz {
+
+/// What a traversal may have made of the ray without saying so.
+enum class other_ray : std::uint8_t { as_float, unit_direction, float_unit_direction };
+std::string_view name_of(other_ray r);
+/// What a user does about it: a line for the report.
+std::string_view advice_on(other_ray r);
+
+/// The other ray, if at least 8 samples have an answer that says nothing of the ray received and can be
+/// judged on it, and at least 80 % of them are right.
+std::optional<other_ray> hint_of(std::span<const sample> samples, promise p);
+
+} // namespace graze::fuzz

@@ -1,0 +1,28 @@
+#pragma once
+/// Judges of answers that list no cells: the first one, whether there is one, a number of crossings.
+#include <judge/judge.hpp>
+
+namespace graze::fuzz {
+
+/// promise::first and first_touched: one cell or none, and what is said of its entry.
+verdict judge_first(const trial& t, const truth& exact, const visited& answer, promise p,
+                    double tolerance);
+/// promise::any.
+verdict judge_any(const trial& t, const truth& exact, const visited& answer);
+/// promise::count.
+verdict judge_count(const trial& t, const truth& exact, const visited& answer);
+
+/// What is known about the crossings of the surface of all cells together.
+struct surface_crossings {
+  bool odd;
+  std::optional<std::uint64_t> number; ///< where each is in the interior of a face
+};
+/// Nothing where the origin (of a segment, or the end) is on a cell's surface, unless it is in the
+/// interior of another, and where a cell is flat: it has no inside.
+std::optional<surface_crossings> crossings_of(const trial& t);
+
+/// Of these cells those that the ray does not even touch with their faces moved outwards: far_spurious
+/// says by how much.
+octant_set far_from(const trial& t, octant_set cells);
+
+} // namespace graze::fuzz
