@@ -5,8 +5,11 @@
 /// compile: tiles are asked for their places through the nodes.
 #include <iostream> // for GridValidator.h
 #include <nanovdb/util/GridValidator.h>
+#include <nanovdb/util/HDDA.h>
 #include <nanovdb/util/IO.h>
+#include <nanovdb/util/Ray.h>
 #include <peers/maps/linear_planes.hpp>
+#include <peers/rounded_ray.hpp>
 
 namespace graze::peers {
 namespace {
@@ -63,9 +66,100 @@ void read_grid(voxel_map& map, const ::nanovdb::NanoGrid<Value>* grid, const map
                            [&](const corner& lo, const corner& hi) { add_box(map, lo, hi); });
 }
 
-} // namespace
+using index_ray = ::nanovdb::Ray<float>;
 
-voxel_map nanovdb_map(const std::string& path, const map_options& options) {
+/// The grid of a file, of floats. Rays are in float, normalised as its own examples do, and come to its indices by
+/// the grid's own transform.
+class grid_of_map : public structure {
+public:
+  grid_of_map(const std::string& path, const map_options& options, const voxel_map& map)
+      : handle_(::nanovdb::io::readGrid(path, 0)), grid_(handle_.grid<float>()), first_(map.first) {
+    if (grid_ == nullptr)
+      throw map_refused("rays are asked through grids of float only");
+    if (options.cell_centred)
+      throw map_refused("its rays take an index for a voxel's lowest corner: without "
+                        "--cell-centred");
+  }
+
+  [[nodiscard]] std::optional<octree::ray> received(const octree::ray& r) const override {
+    const vec3& d = r.direction();
+    const double length = std::hypot(d[0], d[1], d[2]);
+    return ray_if_any(to_float(r.origin()),
+                      to_float(vec3{d[0] / length, d[1] / length, d[2] / length}));
+  }
+
+protected:
+  [[nodiscard]] index_ray ray_of(const octree::ray& given) const {
+    const auto r = received(given);
+    const auto vector = [](const vec3& v) {
+      return ::nanovdb::Vec3f(static_cast<float>(v[0]), static_cast<float>(v[1]),
+                              static_cast<float>(v[2]));
+    };
+    return index_ray(vector(r->origin()), vector(r->direction()), 0.0f).worldToIndexF(*grid_);
+  }
+  [[nodiscard]] octant_key key(const Coord& at) const {
+    octant_index v{};
+    for (unsigned a = 0; a < 3; ++a)
+      v[a] = static_cast<std::uint32_t>(at[static_cast<int>(a)] - first_[a]);
+    return key_of(v);
+  }
+
+  ::nanovdb::GridHandle<> handle_;
+  const ::nanovdb::FloatGrid* grid_;
+  std::array<std::int64_t, 3> first_;
+};
+
+class first_active_of_map final : public grid_of_map {
+public:
+  using grid_of_map::grid_of_map;
+
+  void visit(const octree::ray& r, std::vector<octant_key>& found) override {
+    index_ray ray = ray_of(r); // it is clipped
+    auto read = grid_->getAccessor();
+    Coord at;
+    float t = 0;
+    if (::nanovdb::firstActive(ray, read, at, t))
+      found.push_back(key(at));
+  }
+};
+
+class hdda_of_map final : public grid_of_map {
+public:
+  using grid_of_map::grid_of_map;
+
+  /// The loop of ZeroCrossing() in HDDA.h, which keeps each active voxel that it comes to.
+  void visit(const octree::ray& r, std::vector<octant_key>& found) override {
+    index_ray ray = ray_of(r);
+    auto read = grid_->getAccessor();
+    if (!ray.clip(read.root().bbox()) || ray.t1() > 1e20f)
+      return;
+    const auto keep = [&](const Coord& at) {
+      if (read.isActive(at) && (found.empty() || found.back() != key(at)))
+        found.push_back(key(at));
+    };
+    constexpr float forward = 1.0001f; // ZeroCrossing's Delta
+    Coord at = ::nanovdb::RoundDown<Coord>(ray.start());
+    keep(at);
+    ::nanovdb::HDDA<index_ray> walk(ray, static_cast<int>(read.getDim(at, ray)));
+    while (walk.step()) {
+      at = ::nanovdb::RoundDown<Coord>(ray(walk.time() + forward));
+      walk.update(ray, static_cast<int>(read.getDim(at, ray)));
+      if (walk.dim() > 1 || !read.isActive(at))
+        continue;
+      keep(at);
+      while (walk.step() && read.isActive(walk.voxel()))
+        keep(walk.voxel());
+    }
+  }
+};
+
+template <class Structure>
+std::unique_ptr<structure> built_from(const std::string& path, const map_options& options,
+                                      const voxel_map& map) {
+  return std::make_unique<Structure>(path, options, map);
+}
+
+voxel_map read(const std::string& path, const map_options& options) {
   const auto handle = ::nanovdb::io::readGrid(path, 0);
   const ::nanovdb::GridMetaData* about = handle.gridMetaData();
   if (about == nullptr || !about->isValid())
@@ -129,6 +223,16 @@ voxel_map nanovdb_map(const std::string& path, const map_options& options) {
                       " is not read");
   }
   return map;
+}
+
+} // namespace
+
+map_library nanovdb_map() {
+  return {read,
+          {{"nanovdb-first-active", "first", "NanoVDB, firstActive through the map (float)",
+            built_from<first_active_of_map>},
+           {"nanovdb-hdda", "crossed", "NanoVDB, HDDA as in ZeroCrossing through the map (float)",
+            built_from<hdda_of_map>}}};
 }
 
 } // namespace graze::peers

@@ -90,9 +90,7 @@ std::string type_of(const std::string& path) {
   return text.substr(from + 1, to - from - 1);
 }
 
-} // namespace
-
-voxel_map npy_map(const std::string& path, const map_options& options) {
+voxel_map read(const std::string& path, const map_options& options) {
   static const std::vector<std::pair<std::string, add_function>> types{
       {"|b1", add_dense},
       {"|i1", add_rows<signed char>},
@@ -128,5 +126,9 @@ voxel_map npy_map(const std::string& path, const map_options& options) {
                               size);
   return map;
 }
+
+} // namespace
+
+map_library npy_map() { return {read, {}}; }
 
 } // namespace graze::peers

@@ -206,7 +206,19 @@ index_range range_of(std::int64_t lowest, std::int64_t highest) {
   return r;
 }
 
-int write_map(const char* program, map_reader read, const std::string& path,
+std::string refusal() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return "the library wants more memory than 16 GiB for it";
+  } catch (const std::exception& e) {
+    return first_line(e.what());
+  } catch (...) {
+    return "the library does not read it";
+  }
+}
+
+int write_map(const char* program, const map_library& library, const std::string& path,
               const map_options& options) {
   // what libraries say of damaged files is no line of ours
   const int errors = dup(STDERR_FILENO);
@@ -227,7 +239,7 @@ int write_map(const char* program, map_reader read, const std::string& path,
       throw map_refused("the file is empty");
     if (static_cast<std::uint64_t>(file.st_size) > most_map_bytes)
       throw map_refused("the file is larger than 4 GiB");
-    map = read(path, options);
+    map = library.read(path, options);
     std::sort(map.voxels.begin(), map.voxels.end(),
               [](const octant_index& a, const octant_index& b) {
                 return std::array{a[2], a[1], a[0]} < std::array{b[2], b[1], b[0]};
@@ -238,12 +250,8 @@ int write_map(const char* program, map_reader read, const std::string& path,
              ",\"grid\":" + grid_text(map) + ",\"first\":" + integers(map.first) +
              ",\"names\":" + quoted(map.names) +
              ",\"voxels\":" + std::to_string(map.voxels.size()) + "," + ambiguities(map) + "}\n";
-  } catch (const std::bad_alloc&) {
-    why = "the library wants more memory than 16 GiB for it";
-  } catch (const std::exception& e) {
-    why = first_line(e.what());
   } catch (...) {
-    why = "the library does not read it";
+    why = refusal();
   }
   std::fflush(stdout);
   dup2(output, STDOUT_FILENO);

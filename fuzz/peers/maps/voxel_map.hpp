@@ -53,6 +53,26 @@ struct voxel_map {
 /// Reads a map. Throws map_refused, or what the library throws.
 using map_reader = voxel_map (*)(const std::string& path, const map_options& options);
 
+/// A traversal that builds from a map's file itself.
+struct map_variant {
+  const char* name; ///< graze-fuzz's: the library's, and the variant's after a dash
+  const char* promise;
+  const char* summary;
+  /// Reports keys of the voxels as `read` counts them, which has read the file into `map`. Throws map_refused, or
+  /// what the library throws.
+  std::unique_ptr<structure> (*build)(const std::string& path, const map_options& options,
+                                      const voxel_map& map);
+};
+
+/// What an adapter does with maps.
+struct map_library {
+  map_reader read;
+  std::vector<map_variant> variants;
+};
+
+/// The exception that is being handled, in one line.
+std::string refusal();
+
 /// Where indices are to count from, so that the planes can be told by a rule: 0, or, where some are
 /// below, a power of two below all. A voxel more than the lowest and the highest is in the range, so that
 /// the grid's far faces, which are closed, are no occupied voxel's. Refuses ranges of more than 2^20.
@@ -78,7 +98,7 @@ struct index_bounds {
 /// holds of the double below a face. Else one line on standard error. Gives main()'s exit
 /// code: 2 where the file is refused. Memory is bounded, 16 GiB, and time, ten minutes of processor: what
 /// hostile bytes do to the library ends the process.
-int write_map(const char* program, map_reader read, const std::string& path,
+int write_map(const char* program, const map_library& library, const std::string& path,
               const map_options& options);
 
 } // namespace graze::peers
