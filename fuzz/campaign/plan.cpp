@@ -4,6 +4,8 @@
 #include <external/libraries.hpp>
 #include <fmt/format.h>
 #include <graze/support/threads.hpp>
+#include <judge/judge.hpp>
+#include <trial/replay_line.hpp>
 
 namespace graze::fuzz {
 
@@ -65,6 +67,17 @@ std::vector<std::string> all_named(const std::vector<std::string>& generators) {
   return names;
 }
 
+support::status check(const traversal& under_test, const scene_choice& scene) {
+  if (!under_test.takes(scene.cells, scene.segments))
+    return unexpected{
+        fmt::format("{} takes no {} through {}: see graze-fuzz list for those that do",
+                    under_test.name(), scene.segments ? "segments" : "rays",
+                    scene.cells == cell_kind::cube   ? "octants"
+                    : scene.cells == cell_kind::grid ? "grids"
+                                                     : "boxes")};
+  return judgeable(under_test.promises(), scene.cells);
+}
+
 expected<campaign_plan> resolve_rays(const named_plan& named) {
   campaign_plan plan;
   for (const std::string& name : named.generators) {
@@ -81,6 +94,19 @@ expected<campaign_plan> resolve_rays(const named_plan& named) {
   if (!read_levels(named.level, plan))
     return unexpected{
         fmt::format("level {} is outside 1..53 (a number, or a range A-B)", named.level)};
+  const auto cells = cell_kind_of(named.cells);
+  if (!cells)
+    return unexpected{fmt::format("cells \"{}\" are none of cube, grid, boxes", named.cells)};
+  plan.scene = {*cells, named.segments, nullptr};
+  if (!named.grid.empty()) {
+    if (*cells != cell_kind::grid)
+      return unexpected{
+          fmt::format("a grid is given, but the cells are {}: take cells grid", named.cells)};
+    auto grid = grid_from_text(named.grid);
+    if (!grid)
+      return unexpected{"the grid: " + grid.reason()};
+    plan.scene.grid = std::make_shared<const grid_planes>(*std::move(grid));
+  }
   plan.seed = named.seed;
   plan.trials = named.rays;
   plan.seconds = named.seconds;
@@ -97,8 +123,12 @@ expected<campaign_plan> resolve(const named_plan& named) {
   if (!under_test)
     return unexpected{under_test.reason()};
   auto plan = resolve_rays(named);
-  if (plan)
-    plan->under_test = *std::move(under_test);
+  if (!plan)
+    return plan;
+  if (under_test->make)
+    if (const auto well = check(*under_test->make(), plan->scene); !well)
+      return unexpected{well.reason()};
+  plan->under_test = *std::move(under_test);
   return plan;
 }
 

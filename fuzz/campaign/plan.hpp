@@ -4,6 +4,7 @@
 #include <external/external.hpp>
 #include <generate/climb.hpp>
 #include <generate/generators.hpp>
+#include <generate/scenes.hpp>
 #include <graze/support/status.hpp>
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ std::optional<search> search_of(std::string_view name);
 struct campaign_plan : trial_plan {
   traversal_entry under_test{};
   std::vector<const generator*> generators;
-  int level = 50;      ///< 1..53
+  scene_choice scene;  ///< what the rays go through
+  int level = 50;      ///< 1..53, of octants
   int last_level = 50; ///< rays take the levels from `level` to this one in turn
   search method = search::generators;
   bool until_finding = false; ///< ends soon after the first one
@@ -49,6 +51,9 @@ struct named_plan {
   std::vector<std::string> generators;
   std::string search = "generators"; ///< or "climb"
   std::string level = "50";          ///< "A" or "A-B", taken in turn
+  std::string cells = "cube";        ///< or "grid", "boxes"
+  bool segments = false;             ///< in place of rays
+  std::string grid;                  ///< a JSON grid, as in replay lines; empty: random ones
   std::uint64_t seed = 1;
   std::uint64_t rays = 0; ///< 0: no limit
   double seconds = 0;     ///< 0: no limit
@@ -56,6 +61,9 @@ struct named_plan {
 
 /// With "all" replaced by the names of all generators.
 std::vector<std::string> all_named(const std::vector<std::string>& generators);
+
+/// Whether the traversal takes such trials and its promise says something of them, or why not.
+support::status check(const traversal& under_test, const scene_choice& scene);
 
 /// All but the traversal; the reason names what does not exist or is no budget.
 expected<campaign_plan> resolve_rays(const named_plan& named);

@@ -42,6 +42,9 @@ json to_json(const stored_plan& p) {
               {"generators", p.generators},
               {"search", p.search},
               {"level", p.level},
+              {"cells", p.cells},
+              {"segments", p.segments},
+              {"grid", p.grid.empty() ? json() : json::parse(p.grid)},
               {"seed", p.seed},
               {"rays", p.rays},
               {"seconds", p.seconds},
@@ -93,6 +96,10 @@ stored_plan read_plan_members(const read_json& object) {
   p.generators = object.at("generators").get<std::vector<std::string>>();
   p.search = object.value("search", p.search);
   p.level = object.at("level").get<std::string>();
+  p.cells = object.value("cells", p.cells);
+  p.segments = object.value("segments", p.segments);
+  if (const read_json grid = object.value("grid", read_json()); !grid.is_null())
+    p.grid = grid.dump();
   p.seed = number("seed");
   p.rays = number("rays");
   p.seconds = object.at("seconds").get<double>();
@@ -315,7 +322,8 @@ std::string difference(const stored_plan& there, const stored_plan& wanted,
 
 const std::vector<std::string>& common_members() {
   static const std::vector<std::string> members{"traversal", "external", "generators", "search",
-                                                "level",     "seed",     "rays",       "piece"};
+                                                "level",     "cells",    "segments",   "grid",
+                                                "seed",      "rays",     "piece"};
   return members;
 }
 

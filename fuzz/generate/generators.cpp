@@ -58,8 +58,9 @@ void lead_exactly(random_stream& random, trial& t, const vec3& point) {
 /// A point near the vertex along axis a: within the octants on either side of it.
 double beside(random_stream& random, const trial& t, int axis, double v) {
   const double steps = scaled(static_cast<double>(random.bits(20)), -20);
-  const double x = v + random.sign() * steps * t.size();
-  return std::clamp(x, t.root.lo[axis], t.root.hi(axis));
+  const auto a = static_cast<unsigned>(axis);
+  const double x = v + random.sign() * steps * pitch(t, a);
+  return std::clamp(x, lowest(t, a), highest(t, a));
 }
 
 void finish(random_stream& random, trial& t, const site& s) {
@@ -173,7 +174,7 @@ void origin_on(random_stream& random, trial& t, unsigned fixed) {
     t.direction[random.below(3)] = random_double(random, -1074, -30);
   if (random.one_in(3)) { // towards another vertex
     for (unsigned a = 0; a < 3; ++a)
-      t.direction[a] = s.vertex[a] + random.between(-1, 1) * t.size() - t.origin[a];
+      t.direction[a] = s.vertex[a] + random.between(-1, 1) * pitch(t, a) - t.origin[a];
   }
   finish(random, t, s);
 }
@@ -301,7 +302,7 @@ void exponent_gap(random_stream& random, trial& t) {
   site s = pick_site(random, t);
   const unsigned at_zero = random.below(8);
   for (unsigned a = 0; a < 3; ++a)
-    if ((at_zero >> a & 1) != 0 && t.root.lo[a] == 0)
+    if ((at_zero >> a & 1) != 0 && lowest(t, a) == 0)
       s.index[a] = 0;
   s = site_at(t, s.index);
   const int spread = random.coin() ? 1000 : random.between(30, 1000);
@@ -357,18 +358,17 @@ void mid_plane(random_stream& random, trial& t) {
 /// The control: nothing special, and a block where the ray passes.
 void random_ray(random_stream& random, trial& t) {
   for (unsigned a = 0; a < 3; ++a) {
-    const auto uniform = [&] {
-      return static_cast<double>(random.bits(53)) * 0x1p-53 * t.root.size;
-    };
-    t.origin[a] = t.root.lo[a] + uniform() * 3 - t.root.size;
-    t.direction[a] = t.root.lo[a] + uniform() - t.origin[a];
+    const double lo = lowest(t, a), size = t.grid ? highest(t, a) - lo : t.root.size;
+    const auto uniform = [&] { return static_cast<double>(random.bits(53)) * 0x1p-53 * size; };
+    t.origin[a] = lo + uniform() * 3 - size;
+    t.direction[a] = lo + uniform() - t.origin[a];
   }
   const double at = static_cast<double>(random.bits(53)) * 0x1p-52;
   std::array<std::uint64_t, 3> index;
-  const std::uint64_t last = std::uint64_t{1} << t.level;
   for (unsigned a = 0; a < 3; ++a) {
-    const double place = (t.origin[a] + at * t.direction[a] - t.root.lo[a]) / t.size();
-    index[a] = place > 0 ? std::min(static_cast<std::uint64_t>(std::min(place, 0x1p60)), last) : 0;
+    const double place = (t.origin[a] + at * t.direction[a] - lowest(t, a)) / pitch(t, a);
+    index[a] =
+        place > 0 ? std::min(static_cast<std::uint64_t>(std::min(place, 0x1p60)), t.count(a)) : 0;
   }
   finish(random, t, site_at(t, index));
 }

@@ -5,11 +5,12 @@ namespace graze::fuzz {
 
 namespace {
 
-std::uint64_t count_of(const trial& t) { return std::uint64_t{1} << t.level; }
-
-/// An index in 1..2^level - 1 (1 at level 1).
-std::uint64_t inner_index(random_stream& random, const trial& t) {
-  return t.level == 1 ? 1 : std::clamp<std::uint64_t>(random.bits(t.level), 1, count_of(t) - 1);
+/// An index in 1..count - 1; where the axis has one voxel, either face of it.
+std::uint64_t inner_index(random_stream& random, const trial& t, unsigned axis) {
+  if (!t.grid)
+    return t.level == 1 ? 1 : std::clamp<std::uint64_t>(random.bits(t.level), 1, t.count(axis) - 1);
+  const auto count = static_cast<unsigned>(t.count(axis));
+  return count == 1 ? random.below(2) : 1 + random.below(count - 1);
 }
 
 /// An odd multiple of 2^(level - coarse): on a mid-plane of level coarse - 1.
@@ -19,10 +20,28 @@ std::uint64_t coarse_index(random_stream& random, const trial& t, int coarse) {
 
 } // namespace
 
+double pitch(const trial& t, unsigned axis) {
+  if (!t.grid)
+    return t.size();
+  const auto last = t.grid->last(axis);
+  return last == 0 ? 0 : (highest(t, axis) - lowest(t, axis)) / last;
+}
+
+double lowest(const trial& t, unsigned axis) {
+  return t.grid ? nearest_plane(*t.grid, axis, 0) : t.root.lo[axis];
+}
+
+double highest(const trial& t, unsigned axis) {
+  return t.grid ? nearest_plane(*t.grid, axis, t.grid->last(axis))
+                : t.root.hi(static_cast<int>(axis));
+}
+
 site site_at(const trial& t, const std::array<std::uint64_t, 3>& index) {
   site s{index, {}};
-  for (int a = 0; a < 3; ++a)
-    s.vertex[a] = t.grid_plane(a, index[a]);
+  for (unsigned a = 0; a < 3; ++a) {
+    s.index[a] = std::min(index[a], t.flat(a) ? 0 : t.count(a));
+    s.vertex[a] = t.grid_plane(static_cast<int>(a), s.index[a]);
+  }
   return s;
 }
 
@@ -33,12 +52,13 @@ site pick_site(random_stream& random, const trial& t) {
   if (kind == 1)
     return pick_coarse_site(random, t);
   std::array<std::uint64_t, 3> index{};
-  for (auto& i : index)
-    i = inner_index(random, t);
+  for (unsigned a = 0; a < 3; ++a)
+    index[a] = inner_index(random, t, a);
   if (kind == 2) { // one plane of a coarse level, or the one beside it
-    auto& i = index[random.below(3)];
+    const unsigned a = random.below(3);
+    auto& i = index[a];
     i = coarse_index(random, t, random.between(1, t.level)) + random.below(3) - 1;
-    i = std::min(i, count_of(t));
+    i = std::min(i, t.count(a));
   }
   return site_at(t, index);
 }
@@ -47,7 +67,7 @@ site pick_root_site(random_stream& random, const trial& t) {
   std::array<std::uint64_t, 3> index{};
   const unsigned faces = random.between(1, 7);
   for (unsigned a = 0; a < 3; ++a)
-    index[a] = (faces >> a & 1) == 0 ? inner_index(random, t) : (random.coin() ? 0 : count_of(t));
+    index[a] = (faces >> a & 1) == 0 ? inner_index(random, t, a) : (random.coin() ? 0 : t.count(a));
   return site_at(t, index);
 }
 
@@ -56,8 +76,12 @@ site pick_coarse_site(random_stream& random, const trial& t) {
   const int coarse = random.between(1, t.level);
   for (auto& i : index)
     i = coarse_index(random, t, random.coin() ? coarse : random.between(1, t.level));
-  if (random.one_in(3))
-    index[random.below(3)] = inner_index(random, t);
+  if (random.one_in(3)) {
+    // drawn before the axis, on all of which octants are as many
+    const std::uint64_t inner = t.grid ? 0 : inner_index(random, t, 0);
+    const unsigned a = random.below(3);
+    index[a] = t.grid ? inner_index(random, t, a) : inner;
+  }
   return site_at(t, index);
 }
 
@@ -67,7 +91,7 @@ void occupy(random_stream& random, trial& t, const site& s) {
     const std::uint64_t before = 1 + (wider >> a & 1);
     const std::uint64_t after = 1 + (wider >> (a + 3) & 1);
     t.base[a] = s.index[a] - std::min(before, s.index[a]);
-    const std::uint64_t end = std::min(s.index[a] + after, count_of(t));
+    const std::uint64_t end = std::min(s.index[a] + after, t.count(a));
     t.extent[a] = static_cast<std::uint8_t>(end - t.base[a]);
   }
 }

@@ -7,11 +7,19 @@
 
 namespace graze::fuzz {
 
-/// A vertex of the grid of a trial's level: lo + index * size, exact.
+/// A vertex of the grid of a trial's level: lo + index * size, exact; or of its grid of any planes (the
+/// nearest doubles where they are none), of which `root` is then a frame: size a power of two not far from
+/// the grid's, and `level` such that 2^level is not far from its count.
 struct site {
   std::array<std::uint64_t, 3> index;
   vec3 vertex;
 };
+
+/// The usual distance of two planes of an axis: exact for octants, 0 on a flat axis.
+double pitch(const trial& t, unsigned axis);
+/// The first and the last plane of an axis.
+double lowest(const trial& t, unsigned axis);
+double highest(const trial& t, unsigned axis);
 
 /// Where vertices lie: mostly anywhere, at times on the planes of a coarser level (where many
 /// ancestors meet) or beside them, at times on the root's faces.
