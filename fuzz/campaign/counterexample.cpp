@@ -24,7 +24,7 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
     if (!simplest || complexity_of(shrunk) < complexity_of(simplest->shrunk))
       simplest = counterexample{*kind, *ray, found, shrunk};
   }
-  if (simplest && *kind != finding::hang) // each hang costs its whole time
+  if (simplest && *kind != finding::hang && plan.scene.cells == cell_kind::cube) // each hang costs its whole time
     if (const auto small = small_witness(*under_test, *kind, 10'000, end, stop);
         small && complexity_of(*small) < complexity_of(simplest->shrunk))
       simplest->shrunk = *small;

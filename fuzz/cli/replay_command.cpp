@@ -1,5 +1,6 @@
 #include <cli/commands.hpp>
 #include <cli/traversal_options.hpp>
+#include <external/maps.hpp>
 #include <graze/support/text.hpp>
 #include <judge/replay.hpp>
 #include <report/reproducer/reproducer.hpp>
@@ -22,10 +23,19 @@ std::string yes_or_no(bool b) { return b ? "yes" : "no"; }
 
 int replay_file(const replay_options& options) {
   listen_for_interrupts();
-  const auto cases = read_replay_file(options.file);
+  const auto cases = read_replay_file(options.file, known_map);
   if (!cases)
     return bad_input(cases.reason());
-  const auto entry = chosen_traversal(options.name, options.traversal, true);
+  traversal_options chosen = options.traversal;
+  chosen.external.map = cases->front().at.map; // all cases of one map
+  for (const replay_case& c : *cases)
+    if (c.at.map != chosen.external.map)
+      return bad_input(fmt::format("line {}: it is of another map than the first: ask about one at "
+                                   "a time",
+                                   c.line));
+  if (chosen.external.map)
+    chosen.external.usual_cells = cell_kind::grid;
+  const auto entry = chosen_traversal(options.name, chosen, true);
   if (!entry)
     return bad_input(entry.reason());
   if (!options.reproducer.empty())

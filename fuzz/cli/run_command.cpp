@@ -16,6 +16,7 @@ using namespace support;
 struct run_options {
   named_plan plan;
   traversal_options traversal;
+  map_choice scene;
   std::uint64_t first_ray = 0;
   bool until_finding = false;
   unsigned threads = default_threads();
@@ -30,6 +31,10 @@ int run(const run_options& options) {
   listen_for_interrupts(); // an adapter may take long to begin
   named_plan named = options.plan;
   named.generators = all_named(named.generators);
+  const auto scene = map_of(options.scene);
+  if (!scene)
+    return bad_input(scene.reason());
+  named.scene = *scene;
   auto plan = resolve_rays(named);
   if (!plan)
     return bad_input(plan.reason());
@@ -39,10 +44,18 @@ int run(const run_options& options) {
   if (!options.save.empty())
     if (const status may = check_writable(options.save); !may)
       return bad_input(may.reason());
-  const auto under_test = chosen_traversal(named.traversal, options.traversal, false);
+  traversal_options chosen = options.traversal;
+  if (const status read = load_map(named, *plan, chosen.external); !read)
+    return bad_input(read.reason());
+  if (plan->scene.map && !options.json)
+    print("{}: {}\n", shown(options.scene.path), plan->scene.map->about);
+  const auto under_test = chosen_traversal(named.traversal, chosen, false);
   if (!under_test)
     return bad_input(under_test.reason());
   plan->under_test = *under_test;
+  if (plan->scene.map)
+    if (const status takes = check(*under_test->make(), plan->scene); !takes)
+      return bad_input(takes.reason());
   if (!options.reproducer.empty())
     if (const status may = prepare_folder(options.reproducer); !may)
       return bad_input(may.reason());
@@ -96,6 +109,7 @@ subcommand run_command(CLI::App& app) {
   CLI::Option* named =
       c->add_option("--traversal", o.plan.traversal, "What is under test")->capture_default_str();
   add_traversal_options(*c, *named, o.traversal);
+  add_map_options(*c, o.scene);
   c->add_option("--level", o.plan.level,
                 "Level of the octants, 1 to 53, or a range taken in turn: 1-50")
       ->capture_default_str();

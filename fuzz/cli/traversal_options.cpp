@@ -40,6 +40,27 @@ void add_traversal_options(CLI::App& app, CLI::Option& other, traversal_options&
       ->needs(command);
 }
 
+void add_map_options(CLI::App& app, map_choice& choice) {
+  CLI::Option* scene = app.add_option(
+      "--scene", choice.path,
+      "Rays go to the occupied voxels of this map (docs/maps.md): .bt .ot .npy .vdb .nvdb "
+      ".pcd .ply");
+  app.add_option("--voxel-size", choice.voxel_size,
+                 "The edge of a voxel, for points and arrays, which have none")
+      ->needs(scene);
+  app.add_flag("--cell-centred", choice.cell_centred,
+               "OpenVDB, NanoVDB: an index is at a voxel's centre, not at its lowest corner")
+      ->needs(scene);
+}
+
+expected<std::optional<map_file>> map_of(const map_choice& choice) {
+  if (choice.path.empty())
+    return std::optional<map_file>();
+  if (!(choice.voxel_size >= 0) || !std::isfinite(choice.voxel_size))
+    return unexpected{"--voxel-size is not a length above 0"};
+  return std::optional(map_file{choice.path, choice.voxel_size, choice.cell_centred});
+}
+
 expected<external_options> external_of(const traversal_options& options) {
   external_options external = options.external;
   if (!std::isfinite(external.seconds_a_ray) || external.seconds_a_ray <= 0 ||

@@ -11,6 +11,17 @@ struct traversal_options {
   bool plain = false, bits = false;
 };
 
+/// A map in place of random cells.
+struct map_choice {
+  std::string path;
+  double voxel_size = 0;
+  bool cell_centred = false;
+};
+/// Adds --scene and what goes with it.
+void add_map_options(CLI::App& app, map_choice& choice);
+/// What they ask for, if anything.
+expected<std::optional<map_file>> map_of(const map_choice& choice);
+
 /// Adds --command and what goes with it; `other` is the option that it excludes.
 void add_traversal_options(CLI::App& app, CLI::Option& other, traversal_options& options);
 

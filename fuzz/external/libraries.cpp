@@ -49,7 +49,8 @@ std::vector<traversal_entry> variants(const std::string& library, const external
     options.command = shell_word(program) + " " + shell_word(name);
     if (like.map) {
       const map_file& file = like.map->file();
-      options.command += " --scene " + shell_word(whole_path(file)) + adapter_options(file);
+      options.command = fmt::format("{} --scene {}{} {}", shell_word(program),
+                                    shell_word(whole_path(file)), adapter_options(file), name);
       options.cells = cell_kind::grid;
     }
     options.promised = parsed;
