@@ -1,5 +1,6 @@
 #pragma once
 /// A campaign: many trials on all threads, counted, until a budget is used up.
+#include <atomic>
 #include <campaign/schedule.hpp>
 #include <judge/judge.hpp>
 #include <optional>
@@ -30,8 +31,13 @@ struct counts {
   std::uint64_t findings = 0; ///< rays with a finding of any kind
   std::uint64_t faults = 0; ///< rays that were not answered: crash, hang, exception, NaN, malformed
   std::uint64_t declined = 0; ///< rays that the traversal does not take: nothing was judged
+  std::uint64_t unsent =
+      0; ///< rays that it was not asked about any more: its generator's made it hang
+  std::array<std::uint64_t, finding_kinds> rays_with{}; ///< by kind of finding: rays that show it
 
   void add(const verdict& v);
+  /// A ray that was not asked about.
+  void add_unsent();
   /// The share of the visits that is spurious.
   [[nodiscard]] double spurious_rate() const {
     return visited != 0 ? static_cast<double>(spurious) / static_cast<double>(visited) : 0;
@@ -53,7 +59,7 @@ inline constexpr std::size_t most_samples = 64;
 
 struct campaign_result {
   explicit campaign_result(std::size_t generators = 0)
-      : by_generator(generators), first(generators) {}
+      : by_generator(generators), first(generators), first_tame(generators) {}
 
   std::vector<counts> by_generator; ///< as in the plan
   counts total;
@@ -61,13 +67,24 @@ struct campaign_result {
   std::optional<double> first_miss_seconds; ///< until the first miss or gap
   /// For each generator and each kind of finding the first ray (lowest number) that showed it.
   std::vector<std::array<std::optional<std::uint64_t>, finding_kinds>> first;
+  /// The same of tame rays (generate/tame.hpp).
+  std::vector<std::array<std::optional<std::uint64_t>, finding_kinds>> first_tame;
   std::vector<sample> samples; ///< the first most_samples of them, by their numbers
   bool interrupted = false;
 
   /// Adds what another worker's rays of the same plan showed.
   void add(const campaign_result& other);
-  /// The most serious kind found, if any.
-  [[nodiscard]] std::optional<finding> worst_finding() const;
+  /// The kinds found, in the order in which an owner wants to know of them: what tame rays show, then what
+  /// only others show, each from the most serious on.
+  [[nodiscard]] std::vector<finding> kinds_found() const;
+  /// Most rays with a finding show a seam: a convention, perhaps, rather than an error.
+  [[nodiscard]] bool seams_lead() const;
+  /// The first of them, if any.
+  [[nodiscard]] std::optional<finding> foremost() const;
+  /// A tame ray shows it.
+  [[nodiscard]] bool is_on_tame_ray(finding kind) const;
+  /// For each generator the first ray that shows it: tame ones, if there are any at all.
+  [[nodiscard]] std::vector<std::optional<std::uint64_t>> first_rays(finding kind) const;
 };
 
 /// The trial of ray `index` of the plan; within a climb, after all that come before it.
@@ -87,8 +104,11 @@ private:
   std::uint64_t next_ = 0; ///< the ray that climber_ makes next
 };
 
+/// How often each generator's rays have made the traversal hang, for all workers together.
+using hang_counts = std::vector<std::atomic<std::uint64_t>>;
+
 /// One worker's part of a campaign: asks and judges the stretches that it takes.
-campaign_result search_rays(const campaign_plan& plan, schedule& stretches);
+campaign_result search_rays(const campaign_plan& plan, schedule& stretches, hang_counts& hangs);
 
 /// All of them, on the plan's threads; `stop` ends it early when it becomes true.
 campaign_result run_campaign(const campaign_plan& plan, const std::atomic<bool>& stop,

@@ -1,4 +1,5 @@
 #include <campaign/lasting.hpp>
+#include <generate/tame.hpp>
 #include <mutex>
 #include <shrink/shrink.hpp>
 
@@ -34,7 +35,8 @@ std::optional<checked_piece> check_piece(const campaign_plan& plan, const stored
   rays.trials = stored.rays_of(number);
   rays.seconds = 0;
   schedule stretches(rays, rays.trials, stop);
-  campaign_result result = search_rays(rays, stretches);
+  hang_counts hangs(rays.generators.size()); // of this piece: it depends on the plan alone
+  campaign_result result = search_rays(rays, stretches, hangs);
   if (result.total.rays != rays.trials)
     return std::nullopt;
   checked_piece checked;
@@ -42,15 +44,15 @@ std::optional<checked_piece> check_piece(const campaign_plan& plan, const stored
   checked.piece.by_generator = std::move(result.by_generator);
   const auto under_test = plan.under_test.guarded();
   for (unsigned k = 0; k < finding_kinds; ++k) {
+    const auto kind = static_cast<finding>(k);
     std::vector<std::uint64_t> shown;
-    for (const auto& of_generator : result.first)
-      if (of_generator[k])
-        shown.push_back(*of_generator[k]);
+    for (const auto& ray : result.first_rays(kind))
+      if (ray)
+        shown.push_back(*ray);
     if (shown.empty())
       continue;
     if (stop.load())
       return std::nullopt;
-    const auto kind = static_cast<finding>(k);
     const std::uint64_t ray = shown[mix(number) % shown.size()];
     const trial shrunk =
         shrink(trial_of(plan, ray), *under_test, kind, 30'000, usual_deadline(), &stop);
@@ -65,7 +67,7 @@ std::optional<checked_piece> check_piece(const campaign_plan& plan, const stored
       known = known || other.hash == f.hash;
     if (known)
       continue;
-    checked.piece.findings.push_back({f.hash, worst_of_it, ray});
+    checked.piece.findings.push_back({f.hash, worst_of_it, ray, is_tame(shrunk)});
     checked.files.push_back(std::move(f));
   }
   return checked;

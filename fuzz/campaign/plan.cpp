@@ -79,6 +79,19 @@ support::status check(const traversal& under_test, const scene_choice& scene) {
   return judgeable(under_test.promises(), scene.cells);
 }
 
+expected<std::vector<std::string>> all_named(const std::vector<std::string>& generators,
+                                             const std::vector<std::string>& except) {
+  std::vector<std::string> names = all_named(generators);
+  for (const std::string& name : except) {
+    if (find_generator(name) == nullptr)
+      return unexpected{fmt::format("no generator is called \"{}\" (see graze-fuzz list)", name)};
+    std::erase(names, name);
+  }
+  if (names.empty() && !except.empty())
+    return unexpected{"--except leaves no generator"};
+  return names;
+}
+
 expected<campaign_plan> resolve_rays(const named_plan& named) {
   campaign_plan plan;
   for (const std::string& name : named.generators) {
@@ -111,6 +124,8 @@ expected<campaign_plan> resolve_rays(const named_plan& named) {
   plan.seed = named.seed;
   plan.trials = named.rays;
   plan.seconds = named.seconds;
+  plan.tame = named.tame;
+  plan.hangs = named.hangs;
   if (const auto well = check(plan); !well)
     return unexpected{well.reason()};
   return plan;
@@ -142,8 +157,8 @@ support::status load_map(const named_plan& named, campaign_plan& plan, external_
     return unexpected{map.reason()};
   plan.scene.map = *std::move(map);
   plan.scene.grid = plan.scene.map->grid();
-  plan.scene.cells = like.usual_cells = cell_kind::grid;
-  like.usual_segments = plan.scene.segments;
+  plan.scene.cells = cell_kind::grid;
+  like.usual_cells = cell_kind::grid;
   like.map = plan.scene.map;
   return {};
 }

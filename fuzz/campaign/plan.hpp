@@ -30,6 +30,9 @@ std::string_view name_of(search s);
 /// By the names of name_of().
 std::optional<search> search_of(std::string_view name);
 
+/// Each hang costs the whole time that a ray may take.
+inline constexpr std::uint64_t usual_hangs = 3;
+
 /// What rays to make, and whom to ask. Ray k of a campaign is trial k of the seed, by generator k mod
 /// the number of generators; in a climb, step k mod climb_length of climb k / climb_length, which starts
 /// at the trial of that number. So a campaign of a given number of rays counts and finds the same on any
@@ -42,6 +45,9 @@ struct campaign_plan : trial_plan {
   int last_level = 50; ///< rays take the levels from `level` to this one in turn
   search method = search::generators;
   bool until_finding = false; ///< ends soon after the first one
+  bool tame = false; ///< rays that are not (generate/tame.hpp) are replaced by such that are
+  std::uint64_t hangs =
+      usual_hangs; ///< after as many of a generator its rays are sent no more; 0: no limit
 };
 
 /// The same by the names that the command line and a campaign's folder use.
@@ -58,10 +64,15 @@ struct named_plan {
   std::uint64_t seed = 1;
   std::uint64_t rays = 0; ///< 0: no limit
   double seconds = 0;     ///< 0: no limit
+  bool tame = false;
+  std::uint64_t hangs = usual_hangs;
 };
 
 /// With "all" replaced by the names of all generators.
 std::vector<std::string> all_named(const std::vector<std::string>& generators);
+/// Without those of `except`; refused where one of these is no generator.
+expected<std::vector<std::string>> all_named(const std::vector<std::string>& generators,
+                                             const std::vector<std::string>& except);
 
 /// Whether the traversal takes such trials and its promise says something of them, or why not.
 support::status check(const traversal& under_test, const scene_choice& scene);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <campaign/store.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
@@ -45,12 +46,27 @@ json to_json(const stored_plan& p) {
               {"cells", p.cells},
               {"segments", p.segments},
               {"grid", p.grid.empty() ? json() : json::parse(p.grid)},
+              {"scene", p.scene ? json{{"file", p.scene->path},
+                                       {"voxel_size", p.scene->voxel_size},
+                                       {"cell_centred", p.scene->cell_centred}}
+                                : json()},
               {"seed", p.seed},
               {"rays", p.rays},
               {"seconds", p.seconds},
+              {"tame", p.tame},
+              {"hangs", p.hangs},
               {"piece", p.piece},
               {"shard", p.shard},
               {"shards", p.shards}};
+}
+
+/// Throws what is wrong with it.
+std::uint64_t read_count(const read_json& value, const char* name) {
+  const auto count = support::whole_number<std::uint64_t>(value);
+  if (!count)
+    throw std::invalid_argument(
+        fmt::format("\"{}\" is not a whole number from 0 to 2^64 - 1", name));
+  return *count;
 }
 
 /// Throws what is wrong with it.
@@ -85,11 +101,7 @@ external_options read_external(const read_json& object, std::string command) {
 /// Throws what is wrong with it.
 stored_plan read_plan_members(const read_json& object) {
   stored_plan p;
-  const auto number = [&object](const char* key) {
-    if (!object.at(key).is_number_unsigned())
-      throw std::invalid_argument(fmt::format("\"{}\" is not a number, 0 or more", key));
-    return object.at(key).get<std::uint64_t>();
-  };
+  const auto number = [&object](const char* key) { return read_count(object.at(key), key); };
   p.traversal = object.at("traversal").get<std::string>();
   if (const read_json external = object.value("external", read_json()); !external.is_null())
     p.external = read_external(external, p.traversal);
@@ -98,11 +110,19 @@ stored_plan read_plan_members(const read_json& object) {
   p.level = object.at("level").get<std::string>();
   p.cells = object.value("cells", p.cells);
   p.segments = object.value("segments", p.segments);
+  if (const read_json scene = object.value("scene", read_json()); !scene.is_null()) {
+    p.scene = map_file{scene.at("file").get<std::string>(), scene.at("voxel_size").get<double>(),
+                       scene.at("cell_centred").get<bool>()};
+    if (!(p.scene->voxel_size >= 0) || !std::isfinite(p.scene->voxel_size))
+      throw std::invalid_argument("the voxel size of its scene is not a length");
+  }
   if (const read_json grid = object.value("grid", read_json()); !grid.is_null())
     p.grid = grid.dump();
   p.seed = number("seed");
   p.rays = number("rays");
   p.seconds = object.at("seconds").get<double>();
+  p.tame = object.at("tame").get<bool>();
+  p.hangs = number("hangs");
   p.piece = number("piece");
   p.shard = number("shard");
   p.shards = number("shards");
@@ -124,18 +144,19 @@ finished_piece read_piece(std::string_view text, const stored_plan& plan) {
   const read_json line = read_json::parse(text);
   const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
   finished_piece p;
-  p.number = line.at("piece").get<std::uint64_t>();
+  p.number = read_count(line.at("piece"), "piece");
   p.elapsed = line.at("elapsed").get<double>();
   if (!(p.elapsed >= 0))
     refuse("its time is negative");
   if (p.number % plan.shards != plan.shard - 1 || (plan.rays != 0 && p.number >= plan.pieces()))
     refuse(fmt::format("piece {} is not of this plan", p.number));
   std::uint64_t rays = 0;
-  for (const auto& row : line.at("counts").get<std::vector<std::vector<std::uint64_t>>>()) {
+  for (const read_json& row : line.at("counts")) {
     count_row values{};
-    if (row.size() != values.size())
+    if (!row.is_array() || row.size() != values.size())
       refuse("its counts are those of another version of graze-fuzz");
-    std::copy(row.begin(), row.end(), values.begin());
+    std::transform(row.begin(), row.end(), values.begin(),
+                   [](const read_json& count) { return read_count(count, "counts"); });
     p.by_generator.push_back(std::bit_cast<counts>(values));
     rays += p.by_generator.back().rays;
   }
@@ -148,7 +169,8 @@ finished_piece read_piece(std::string_view text, const stored_plan& plan) {
     auto hash = shown.at("hash").get<std::string>();
     if (!support::is_content_hash(hash)) // it is a file's name, and stands in the page
       refuse("the hash of a finding is not 32 hex digits");
-    p.findings.push_back({std::move(hash), *kind, shown.at("ray").get<std::uint64_t>()});
+    p.findings.push_back(
+        {std::move(hash), *kind, read_count(shown.at("ray"), "ray"), shown.at("tame").get<bool>()});
   }
   return p;
 }
@@ -265,7 +287,8 @@ bool campaign_state::add(const finished_piece& p) {
   for (std::size_t g = 0; g < p.by_generator.size(); ++g)
     by_generator[g] += p.by_generator[g];
   for (const sighting& s : p.findings) {
-    auto& known = findings.try_emplace(s.hash, known_finding{s.kind, s.ray, 0}).first->second;
+    auto& known =
+        findings.try_emplace(s.hash, known_finding{s.kind, s.ray, 0, s.tame}).first->second;
     known.ray = std::min(known.ray, s.ray);
     ++known.pieces;
   }
@@ -280,7 +303,8 @@ std::string to_json_line(const finished_piece& p) {
     line["counts"].push_back(std::bit_cast<count_row>(c));
   line["findings"] = json::array();
   for (const sighting& s : p.findings)
-    line["findings"].push_back({{"hash", s.hash}, {"kind", name_of(s.kind)}, {"ray", s.ray}});
+    line["findings"].push_back(
+        {{"hash", s.hash}, {"kind", name_of(s.kind)}, {"ray", s.ray}, {"tame", s.tame}});
   return line.dump();
 }
 
@@ -321,9 +345,9 @@ std::string difference(const stored_plan& there, const stored_plan& wanted,
 }
 
 const std::vector<std::string>& common_members() {
-  static const std::vector<std::string> members{"traversal", "external", "generators", "search",
-                                                "level",     "cells",    "segments",   "grid",
-                                                "seed",      "rays",     "piece"};
+  static const std::vector<std::string> members{
+      "traversal", "external", "generators", "search", "level", "cells", "segments",
+      "grid",      "scene",    "seed",       "rays",   "tame",  "hangs", "piece"};
   return members;
 }
 

@@ -42,6 +42,7 @@ struct sighting {
   std::string hash;
   finding kind;
   std::uint64_t ray;
+  bool tame; ///< the shrunk ray is (generate/tame.hpp)
 };
 
 /// What a piece's rays showed.
@@ -58,6 +59,7 @@ struct campaign_state {
     finding kind;
     std::uint64_t ray;    ///< the lowest
     std::uint64_t pieces; ///< that showed it
+    bool tame;
   };
   std::set<std::uint64_t> finished;
   std::vector<counts> by_generator;

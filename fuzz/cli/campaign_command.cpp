@@ -2,14 +2,20 @@
 #include <array>
 #include <campaign/lasting.hpp>
 #include <charconv>
+#include <cli/check_options.hpp>
 #include <cli/commands.hpp>
+#include <cli/scene_options.hpp>
 #include <cli/traversal_options.hpp>
+#include <external/libraries.hpp>
+#include <external/maps.hpp>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/support/files.hpp>
 #include <graze/support/text.hpp>
+#include <judge/replay.hpp>
 #include <nlohmann/json.hpp>
 #include <report/summary.hpp>
+#include <trial/replay_line.hpp>
 
 namespace graze::fuzz {
 
@@ -21,15 +27,18 @@ struct campaign_options {
   CLI::App* app = nullptr;
   stored_plan plan;
   traversal_options traversal;
+  scene_options scene;
   std::string folder;
-  std::vector<std::string> generators;
+  std::vector<std::string> generators, except;
   std::string shard = "1/1";
   unsigned threads = default_threads();
   bool json = false;
   bool progress = false;
+  check_options checks;
 };
 
 struct summary_options {
+  check_options checks;
   std::vector<std::string> folders;
   std::string html;
   bool json = false;
@@ -49,11 +58,18 @@ bool read_shard(std::string_view text, stored_plan& plan) {
 
 /// The members of the plan that the command line gives.
 std::vector<std::string> given_members(const CLI::App& campaign) {
-  constexpr std::array<std::pair<const char*, const char*>, 8> members{
+  constexpr std::array<std::pair<const char*, const char*>, 15> members{
       {{"--traversal", "traversal"},
        {"--generator", "generators"},
+       {"--except", "generators"},
+       {"--tame", "tame"},
+       {"--hangs", "hangs"},
        {"--search", "search"},
        {"--level", "level"},
+       {"--cells", "cells"},
+       {"--segments", "segments"},
+       {"--grid", "grid"},
+       {"--scene", "scene"},
        {"--seed", "seed"},
        {"--rays", "rays"},
        {"--seconds", "seconds"},
@@ -69,8 +85,47 @@ std::vector<std::string> given_members(const CLI::App& campaign) {
   return given;
 }
 
+/// A check for each kind of finding, with the simplest of its files.
+check_report report_of(const merged_campaign& merged, const campaign_plan& plan) {
+  const counts total = merged.state.total();
+  check_report report = checks_of("campaign", campaign_of(plan, total), merged.state.elapsed);
+  for (check_result& c : report.checks)
+    for (problem& p : c.problems)
+      for (const auto& [hash, known] : merged.state.findings) {
+        if (known.kind != p.kind)
+          continue;
+        const std::string& file = merged.files.at(hash);
+        p.details += fmt::format("replay: graze-fuzz replay {} {}\n", shell_word(file),
+                                 plan.under_test.asked_for());
+        if (!p.file.empty())
+          continue;
+        p.file = file;
+        if (const auto cases = read_replay_file(file))
+          p.ray = to_json_line(cases->front().at);
+      }
+  return report;
+}
+
+/// The replay lines of a campaign's findings with all kinds that they show: the traversal is asked again.
+expected<std::map<std::string, finding_set>> lines_of(const merged_campaign& merged,
+                                                      const campaign_plan& plan) {
+  const auto entry = merged.plan.external ? external_traversal(*merged.plan.external)
+                                          : expected<traversal_entry>(plan.under_test);
+  if (!entry)
+    return unexpected{entry.reason()};
+  const auto under_test = entry->guarded();
+  std::map<std::string, finding_set> lines;
+  for (const auto& [hash, known] : merged.state.findings)
+    if (const auto cases = read_replay_file(merged.files.at(hash)); cases && !stop_wanted) {
+      const trial& t = cases->front().at;
+      lines[to_json_line(t)] |= bit(known.kind) | replay(t, *under_test).findings;
+    }
+  return lines;
+}
+
 /// Prints what `folders` hold together, and writes the page.
-int summarize(const std::vector<std::string>& folders, const std::string& page, bool as_json) {
+int summarize(const std::vector<std::string>& folders, const std::string& page, bool as_json,
+              const check_options& checks) {
   const auto merged = merge_campaigns(folders);
   if (!merged)
     return bad_input(merged.reason());
@@ -84,15 +139,29 @@ int summarize(const std::vector<std::string>& folders, const std::string& page, 
   const std::string text = to_html(*merged, *plan, page_folder.empty() ? "." : page_folder);
   if (const status written = write_atomically(page, text); !written)
     return bad_input(written.reason());
+  check_report report = report_of(*merged, *plan);
+  const known_campaign now = campaign_of(*plan, merged->state.total());
+  compare_with_known(checks, report, now);
   if (as_json) {
     auto line = json::parse(to_json(*merged, *plan));
     line["event"] = "end";
+    if (checks.known)
+      line["baseline"] = json::parse(standings_json(report));
     line["page"] = page;
     print("{}\n", json_line(line));
   } else {
     print("{}page: {}\n", to_text(*merged, *plan), shown(page, 1000));
   }
-  return merged->state.findings.empty() ? done : found;
+  if (!checks.any())
+    return merged->state.findings.empty() ? done : found;
+  std::map<std::string, finding_set> lines;
+  if (!checks.write_baseline.empty()) {
+    auto shown = lines_of(*merged, *plan);
+    if (!shown)
+      return bad_input(shown.reason());
+    lines = *std::move(shown);
+  }
+  return conclude(checks, report, now, lines, !as_json);
 }
 
 int campaign(campaign_options& options) {
@@ -101,7 +170,25 @@ int campaign(campaign_options& options) {
     return bad_input(fmt::format("shard {} is not i/N with 1 <= i <= N", options.shard));
   if (const status well = check({.workers = options.threads}); !well)
     return bad_input(well.reason());
-  options.plan.generators = all_named(options.generators);
+  if (options.generators.empty() && !options.except.empty())
+    options.generators = {"all"};
+  auto generators = all_named(options.generators, options.except);
+  if (!generators)
+    return bad_input(generators.reason());
+  options.plan.generators = *std::move(generators);
+  if (const status may = prepare(options.checks); !may)
+    return bad_input(may.reason());
+  if (const status well = take_scene(options.scene, options.plan, options.traversal.external);
+      !well)
+    return bad_input(well.reason());
+  if (options.plan.scene) { // a folder is gone on with from any other
+    options.plan.scene->path = whole_path(*options.plan.scene);
+    const auto map = known_map(*options.plan.scene);
+    if (!map)
+      return bad_input(map.reason());
+    options.traversal.external.map = *map;
+    options.traversal.external.usual_cells = cell_kind::grid;
+  }
   expected<traversal_entry> started = unexpected{std::string()};
   if (options.traversal.external.command.empty()) {
     if (options.app->count("--timeout") != 0)
@@ -116,6 +203,7 @@ int campaign(campaign_options& options) {
     options.plan.external = *external;
     if (started = tried_traversal(*external); !started)
       return bad_input(started.reason());
+    take_scene_of(*started->guarded(), options.scene, options.plan);
   }
   auto store = campaign_store::open(options.folder, options.plan, given_members(*options.app));
   if (!store)
@@ -123,12 +211,25 @@ int campaign(campaign_options& options) {
   auto plan = resolve(store->plan());
   if (!plan)
     return bad_input(plan.reason());
+  external_options like = store->plan().external.value_or(external_options{});
+  if (const status read = load_map(store->plan(), *plan, like); !read)
+    return bad_input(read.reason());
+  if (store->plan().scene && !store->plan().external) {
+    const auto named = named_traversal(store->plan().traversal, like);
+    if (!named)
+      return bad_input(named.reason());
+    plan->under_test = *named;
+    if (const status may = check(*named->guarded(), plan->scene); !may)
+      return bad_input(may.reason());
+  }
   if (store->plan().external) {
     if (!started)
-      started = tried_traversal(*store->plan().external);
+      started = tried_traversal(like);
     if (!started)
       return bad_input(started.reason());
     plan->under_test = *started;
+    if (const status may = check(*started->guarded(), plan->scene); !may)
+      return bad_input(may.reason());
   }
   plan->workers = options.threads;
   const stored_plan& stored = store->plan();
@@ -182,7 +283,8 @@ int campaign(campaign_options& options) {
     return bad_input(ran.reason());
   if (interrupted() && !options.json)
     print("interrupted; goes on with: graze-fuzz campaign {}\n", shown(store->folder(), 1000));
-  return summarize({store->folder()}, store->folder() + "/summary.html", options.json);
+  return summarize({store->folder()}, store->folder() + "/summary.html", options.json,
+                   options.checks);
 }
 
 } // namespace
@@ -199,16 +301,23 @@ Examples:
   graze-fuzz campaign DIR1 --command "python3 my_traversal.py" --float
   graze-fuzz campaign DIR2 --shard 2/8 ...              every eighth piece, on another machine
   graze-fuzz summary DIR DIR2...                        shards together, and a page
+  graze-fuzz campaign DIR --baseline known.json         fails on what is new or more (docs/ci.md)
 
-Exit code: 0 nothing found, 1 a finding, 2 bad input or a folder that cannot be written.)");
+Exit code: 0 nothing found (nothing new or more, with --baseline), 1 a finding, 2 bad input or a folder that cannot be written.)");
   c->add_option("folder", o.folder, "The campaign's folder; made, or gone on with")->required();
   CLI::Option* named =
       c->add_option("--traversal", o.plan.traversal, "What is under test")->capture_default_str();
   add_traversal_options(*c, *named, o.traversal);
+  add_scene_options(*c, o.scene);
   c->add_option("--level", o.plan.level, "Level of the octants, 1 to 53, or a range: 1-50")
       ->capture_default_str();
   c->add_option("--generator", o.generators, "Names of generators, or all (the default)")
       ->delimiter(',');
+  c->add_option("--except", o.except, except_option)->delimiter(',');
+  c->add_flag("--tame", o.plan.tame, tame_option);
+  c->add_option("--hangs", o.plan.hangs, hangs_option)
+      ->check(whole_number())
+      ->capture_default_str();
   c->add_option("--search", o.plan.search, "generators, or climb: see graze-fuzz run --help")
       ->capture_default_str();
   c->add_option("--seed", o.plan.seed, "Ray k of a seed is always the same ray")
@@ -223,7 +332,8 @@ Exit code: 0 nothing found, 1 a finding, 2 bad input or a folder that cannot be 
       ->check(whole_number())
       ->capture_default_str();
   c->add_option("--threads", o.threads, "Threads")->capture_default_str();
-  c->add_flag("--json", o.json, "Print JSON lines: start, piece, finding, end");
+  CLI::Option* json = c->add_flag("--json", o.json, "Print JSON lines: start, piece, finding, end");
+  add_check_options(*c, *json, o.checks);
   c->add_flag("--progress", o.progress, "Show progress even if stderr is not a terminal");
 
   return {c, [options] { return campaign(*options); }};
@@ -236,13 +346,16 @@ subcommand summary_command(CLI::App& app) {
   s->add_option("folders", o.folders, "Folders of campaigns")->required();
   s->add_option("--html", o.html,
                 "The page (default: summary.html in the folder; of several, in this one)");
-  s->add_flag("--json", o.json, "Print one JSON object");
+  CLI::Option* json = s->add_flag("--json", o.json, "Print one JSON object");
+  add_check_options(*s, *json, o.checks);
   return {s, [options] {
             std::string page = options->html;
             if (page.empty())
               page = options->folders.size() == 1 ? options->folders.front() + "/summary.html"
                                                   : "summary.html";
-            return summarize(options->folders, page, options->json);
+            if (const status may = prepare(options->checks); !may)
+              return bad_input(may.reason());
+            return summarize(options->folders, page, options->json, options->checks);
           }};
 }
 

@@ -3,6 +3,7 @@
 #include <external/libraries.hpp>
 #include <fmt/format.h>
 #include <graze/support/output.hpp>
+#include <report/reproducer/test_file.hpp>
 
 namespace graze::fuzz {
 
@@ -40,25 +41,22 @@ void add_traversal_options(CLI::App& app, CLI::Option& other, traversal_options&
       ->needs(command);
 }
 
-void add_map_options(CLI::App& app, map_choice& choice) {
-  CLI::Option* scene = app.add_option(
-      "--scene", choice.path,
-      "Rays go to the occupied voxels of this map (docs/maps.md): .bt .ot .npy .vdb .nvdb "
-      ".pcd .ply");
-  app.add_option("--voxel-size", choice.voxel_size,
-                 "The edge of a voxel, for points and arrays, which have none")
-      ->needs(scene);
-  app.add_flag("--cell-centred", choice.cell_centred,
-               "OpenVDB, NanoVDB: an index is at a voxel's centre, not at its lowest corner")
-      ->needs(scene);
+void add_language_option(CLI::App& app, std::string& language) {
+  app.add_option("--language", language,
+                 "Of a reproducer's test: rust, go, java, javascript, python, c++ (default: what "
+                 "the words of "
+                 "--command look like, or c++)")
+      ->check(CLI::IsMember({"rust", "go", "java", "javascript", "python", "c++"}));
 }
 
-expected<std::optional<map_file>> map_of(const map_choice& choice) {
-  if (choice.path.empty())
-    return std::optional<map_file>();
-  if (!(choice.voxel_size >= 0) || !std::isfinite(choice.voxel_size))
-    return unexpected{"--voxel-size is not a length above 0"};
-  return std::optional(map_file{choice.path, choice.voxel_size, choice.cell_centred});
+reader_of_test reader_of(const std::string& language, const traversal_options& options) {
+  reader_of_test reader;
+  const std::string& command = options.external.command;
+  reader.written = language_of(language).value_or(language_of_command(command));
+  if (!command.empty())
+    if (const auto external = external_of(options))
+      reader.external = *external;
+  return reader;
 }
 
 expected<external_options> external_of(const traversal_options& options) {

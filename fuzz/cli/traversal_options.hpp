@@ -2,6 +2,7 @@
 /// The options of graze-fuzz that choose a traversal.
 #include <CLI/CLI.hpp>
 #include <external/external.hpp>
+#include <report/reproducer/reproducer.hpp>
 
 namespace graze::fuzz {
 
@@ -10,17 +11,6 @@ struct traversal_options {
   std::string promised;
   bool plain = false, bits = false;
 };
-
-/// A map in place of random cells.
-struct map_choice {
-  std::string path;
-  double voxel_size = 0;
-  bool cell_centred = false;
-};
-/// Adds --scene and what goes with it.
-void add_map_options(CLI::App& app, map_choice& choice);
-/// What they ask for, if anything.
-expected<std::optional<map_file>> map_of(const map_choice& choice);
 
 /// Adds --command and what goes with it; `other` is the option that it excludes.
 void add_traversal_options(CLI::App& app, CLI::Option& other, traversal_options& options);
@@ -35,8 +25,27 @@ expected<traversal_entry> tried_traversal(const external_options& options);
 expected<traversal_entry> chosen_traversal(const std::string& name,
                                            const traversal_options& options, bool show_errors);
 
+/// What --tame, --except and --hangs do: of rays, for those who search.
+inline constexpr const char* tame_option = "Tame rays only, as an owner has them: the origin at "
+                                           "most 16 root sizes outside the root, its components 0 "
+                                           "or normal and at least 2^-80 root sizes, those of the "
+                                           "direction 0 or normal and within 2^40 of each other, "
+                                           "the largest between 2^-40 and 2^40; other rays are "
+                                           "replaced by such that are hard in the same respect. "
+                                           "Ray k of a seed is always the same tame ray";
+inline constexpr const char* except_option = "Names of generators that are left out";
+inline constexpr const char* hangs_option = "After so many hangs of a generator its rays are sent "
+                                            "no more (each costs --timeout seconds; of each "
+                                            "piece in a campaign); 0: no limit";
+
 /// What --reproducer does.
 inline constexpr const char* reproducer_option =
-    "Write the shrunk counterexample to this folder: replay line, text, C++ snippet, picture";
+    "Write the shrunk counterexample to this folder: replay line, text, C++ snippet, picture, and "
+    "a test in "
+    "the language of --language";
+
+/// Adds --language; gives for whom reproducers are written, once options were parsed.
+void add_language_option(CLI::App& app, std::string& language);
+reader_of_test reader_of(const std::string& language, const traversal_options& options);
 
 } // namespace graze::fuzz

@@ -310,7 +310,7 @@ void read_object(const json& object, std::string_view line, std::uint64_t id, an
                                     in_quotes(member.key()), name_of(into.promised())));
   if (const auto number = object.find("id"); number != object.end() && *number != id)
     return into.wrong(fmt::format("its id is not {}", id));
-  if (const auto list = object.find("echo"); list != object.end())
+  if (const auto list = object.find("echo"); list != object.end() && !list->is_null())
     read_echo(*list, line, into, echo);
   if (const auto skip = object.find("skip"); skip != object.end()) {
     if (*skip == true)
@@ -327,7 +327,7 @@ void read_object(const json& object, std::string_view line, std::uint64_t id, an
   if (!said)
     return into.wrong(fmt::format("there is no \"{}\", which the promise \"{}\" needs", members[0],
                                   name_of(into.promised())));
-  if (const auto ray = object.find("received"); ray != object.end())
+  if (const auto ray = object.find("received"); ray != object.end() && !ray->is_null())
     read_received(*ray, into);
   into.end();
 }

@@ -55,7 +55,8 @@ std::vector<traversal_entry> variants(const std::string& library, const external
     }
     options.promised = parsed;
     options.format = line_format::plain;
-    options.start_seconds = like.map ? 60 : 1; // they start in some 50 ms, but read the map
+    // they start in some 50 ms, and read the map twice
+    options.start_seconds = 1 + (like.map ? 10 * like.map->read_seconds : 0);
     found.push_back(untried_external_traversal(options, name, summary));
   }
   return found;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cstdio>
 #include <external/external.hpp>
 #include <external/libraries.hpp>
@@ -81,7 +82,7 @@ std::string counted(const json& header) {
 }
 
 expected<std::shared_ptr<const voxel_map>> map_from(const map_file& file, program_output& from,
-                                                    const std::string& line) {
+                                                    const std::string& line, double seconds) {
   const json header = json::parse(line, nullptr, false);
   if (!header.is_object())
     return unexpected{support::shown(line, 400)};
@@ -105,6 +106,7 @@ expected<std::shared_ptr<const voxel_map>> map_from(const map_file& file, progra
       return map;
     auto told = std::make_shared<voxel_map>(**map);
     told->first = header.at("first").get<std::array<std::int64_t, 3>>();
+    told->read_seconds = seconds;
     told->about =
         fmt::format("{} voxels by {}: {}; {}", number, header.at("library").get<std::string>(),
                     header.at("rule").get<std::string>(), counted(header));
@@ -159,10 +161,13 @@ expected<std::shared_ptr<const voxel_map>> read_map(const map_file& file) {
                                   support::shown(file.path), name, reader->package)};
   program_output from(fmt::format("exec {} --voxels {}{} 2>&1", shell_word(program),
                                   shell_word(file.path), adapter_options(file)));
+  const auto start = std::chrono::steady_clock::now();
   const std::string line = from.line(longest_map_header);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   expected<std::shared_ptr<const voxel_map>> map = unexpected{std::string()};
   if (line.starts_with('{'))
-    map = map_from(file, from, line);
+    map = map_from(file, from, line, seconds);
   const int status = from.end();
   if (status != -1 && WIFSIGNALED(status))
     return unexpected{

@@ -12,7 +12,8 @@ inline constexpr unsigned climb_length = 256;
 /// One climb.
 class climber {
 public:
-  climber(const trial& start, std::uint64_t seed, std::uint64_t number);
+  /// With `tame` it stays among tame rays (generate/tame.hpp), where it starts at one.
+  climber(const trial& start, std::uint64_t seed, std::uint64_t number, bool tame = false);
 
   [[nodiscard]] const trial& at() const { return at_; }
   /// A mutated trial whose margin is not larger; below an ulp all margins are alike, so that it
@@ -24,6 +25,7 @@ private:
   random_stream random_;
   trial at_;
   double height_;
+  bool tame_;
 };
 
 } // namespace graze::fuzz

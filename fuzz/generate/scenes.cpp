@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <generate/scenes.hpp>
 #include <generate/site.hpp>
+#include <generate/tame.hpp>
 
 namespace graze::fuzz {
 
@@ -365,7 +366,7 @@ std::shared_ptr<const T> shared_scene(std::uint64_t seed, std::uint64_t number, 
 } // namespace
 
 trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, int level,
-                 const scene_choice& scene) {
+                 const scene_choice& scene, bool tame) {
   random_stream random(seed, index);
   trial t;
   switch (scene.cells) {
@@ -390,8 +391,22 @@ trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, in
     break;
   }
   }
-  if (scene.segments)
+  if (tame)
+    t = tamed(t, seed, index);
+  if (!scene.segments)
+    return t;
+  const trial ray = t;
+  cut(random, t);
+  for (int attempt = 0; attempt < 8 && tame && !is_tame(t); ++attempt) {
+    t = ray;
     cut(random, t);
+  }
+  if (tame && !is_tame(t)) {
+    vec3 end;
+    for (unsigned a = 0; a < 3; ++a)
+      end[a] = ray.origin[a] + ray.direction[a];
+    t = with_end(ray, ray.origin, end);
+  }
   return t;
 }
 

@@ -34,8 +34,9 @@ void cut(random_stream& random, trial& t);
 void lead_through_map(const generator& g, random_stream& random, trial& t);
 
 /// Trial `index` of `seed`, as make_trial of generators.hpp, whose octants it has where the choice is cubes.
-/// Trials of 64 numbers in a row share a random grid, those of 8 a list of boxes.
+/// Trials of 64 numbers in a row share a random grid, those of 8 a list of boxes. `tame`: as tamed()
+/// (generate/tame.hpp) makes it.
 trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, int level,
-                 const scene_choice& scene);
+                 const scene_choice& scene, bool tame = false);
 
 } // namespace graze::fuzz

@@ -16,6 +16,48 @@ std::string_view name_of(finding f) {
   return names[static_cast<unsigned>(f)];
 }
 
+std::string_view sentence_of(finding f) {
+  switch (f) {
+  case finding::crash:
+    return "asked about the ray, the program ended before it answered";
+  case finding::hang:
+    return "asked about the ray, the program did not answer in time";
+  case finding::exception:
+    return "asked about the ray, the traversal threw an exception";
+  case finding::not_a_number:
+    return "the answer holds a NaN";
+  case finding::malformed:
+    return "the answer is none that can be read";
+  case finding::gross_miss:
+    return "the ray is in a voxel on more than 1e-3 of its edge, and it was not reported";
+  case finding::crossed_miss:
+    return "the ray crosses the interior of a voxel that was not reported";
+  case finding::gap:
+    return "a length of the ray lies in no voxel that was reported";
+  case finding::seam:
+    return "the ray runs in the face of two voxels, and neither was reported";
+  case finding::miss:
+    return "a voxel that the promise names was not reported";
+  case finding::order:
+    return "voxels were reported in another order than the ray meets them";
+  case finding::revisit:
+    return "a voxel was reported twice";
+  case finding::distance:
+    return "the first voxel's t or distance is off by more than the tolerance";
+  case finding::face:
+    return "the face that was named is not where the ray comes into the first voxel";
+  case finding::count:
+    return "the number of crossings of the surface is wrong";
+  case finding::far_spurious:
+    return "a voxel was reported that lies further from the ray than rounding explains";
+  case finding::spurious:
+    return "a voxel was reported that is none of those promised";
+  case finding::outside:
+    return "what was reported is no voxel of the grid";
+  }
+  return {};
+}
+
 std::optional<finding> finding_of(std::string_view name) {
   for (unsigned k = 0; k < finding_kinds; ++k)
     if (name_of(static_cast<finding>(k)) == name)

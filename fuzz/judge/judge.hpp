@@ -137,6 +137,8 @@ enum class finding : unsigned {
 };
 inline constexpr unsigned finding_kinds = 18;
 std::string_view name_of(finding f);
+/// What happened, as a clause: "the ray runs in the face of two voxels, and neither was reported".
+std::string_view sentence_of(finding f);
 /// By the names of name_of().
 std::optional<finding> finding_of(std::string_view name);
 

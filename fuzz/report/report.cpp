@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <campaign/hint.hpp>
 #include <chrono>
+#include <external/maps.hpp>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
@@ -41,6 +43,11 @@ void add_counts(json& object, const counts& c) {
   object["rays_with_finding"] = c.findings;
   object["faults"] = c.faults;
   object["declined"] = c.declined;
+  object["unsent"] = c.unsent;
+  object["rays_with"] = json::object();
+  for (unsigned k = 0; k < finding_kinds; ++k)
+    if (c.rays_with[k] != 0)
+      object["rays_with"][name_of(static_cast<finding>(k))] = c.rays_with[k];
 }
 
 std::string spelled(const vec3& v) {
@@ -65,12 +72,39 @@ std::string table(const campaign_plan& plan, const campaign_result& result) {
                         result.total.faults);
   if (result.total.declined != 0)
     text += fmt::format("{} rays declined, not judged\n", result.total.declined);
+  if (result.total.unsent != 0) {
+    std::string names;
+    for (std::size_t g = 0; g < plan.generators.size(); ++g)
+      if (result.by_generator[g].unsent != 0)
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", plan.generators[g]->name);
+    text += fmt::format("{} rays not sent, after {} that hung of each of: {} (--hangs)\n",
+                        result.total.unsent, plan.hangs, names);
+  }
+  return text;
+}
+
+std::string kinds_of(const campaign_result& result) {
+  std::string text;
+  std::vector<finding> kinds = result.kinds_found();
+  if (result.seams_lead())
+    std::stable_partition(kinds.begin(), kinds.end(), [](finding f) { return f == finding::seam; });
+  for (const finding kind : kinds) {
+    const std::uint64_t rays = result.total.rays_with[static_cast<unsigned>(kind)];
+    text +=
+        fmt::format("{:<13}{:>10} of {} rays{}: {}\n", name_of(kind), rays, result.total.rays,
+                    result.is_on_tame_ray(kind) ? "" : ", none of them tame", sentence_of(kind));
+  }
   return text;
 }
 
 namespace {
 
 std::string spelled(const trial& t) {
+  if (t.map)
+    return fmt::format(
+        "  origin    {}\n  direction {}\n  voxels    {} of the {} x {} x {} from [{}, {}, {}] on\n",
+        spelled(t.origin), spelled(t.direction), std::popcount(t.all()), t.extent[0], t.extent[1],
+        t.extent[2], t.base[0], t.base[1], t.base[2]);
   std::string text = fmt::format("  origin    {}\n  direction {}\n  octant    {} size {}, level {}",
                                  spelled(t.origin), spelled(t.direction), spelled(t.octant(0).lo),
                                  hex(t.size()), t.level);
@@ -94,7 +128,26 @@ std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
   }
   if (plan.method != search::generators)
     command += fmt::format(" --search {}", name_of(plan.method));
+  if (plan.tame)
+    command += " --tame";
+  if (plan.scene.map) {
+    const map_file& file = plan.scene.map->file();
+    command += fmt::format(" --scene {}{}", shell_word(file.path), adapter_options(file));
+  }
   return command + fmt::format(" --seed {} --first-ray {} --rays 1", plan.seed, ray);
+}
+
+std::optional<std::uint64_t> first_ray(const campaign_result& result, finding kind) {
+  std::optional<std::uint64_t> lowest;
+  for (const auto& ray : result.first_rays(kind))
+    if (ray && (!lowest || *ray < *lowest))
+      lowest = ray;
+  return lowest;
+}
+
+std::string replay_command(const campaign_plan& plan, const counterexample& c) {
+  return fmt::format("echo '{}' | graze-fuzz replay - {}", to_json_line(c.shrunk),
+                     plan.under_test.asked_for());
 }
 
 std::string describe(const campaign_plan& plan, const campaign_result& result,
@@ -102,26 +155,22 @@ std::string describe(const campaign_plan& plan, const campaign_result& result,
   std::string text;
   if (const auto hint = hint_of(result.samples, plan.under_test.guarded()->promises()))
     text += fmt::format("{}\n", advice_on(*hint));
-  text += fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}", name_of(c.kind),
-                      support::shown(plan.under_test.name), c.ray, plan.seed,
-                      plan.generators[generator_of(plan, c.ray)]->name, spelled(c.found),
-                      spelled(c.shrunk));
-  text += fmt::format("replay: echo '{}' | graze-fuzz replay - {}\n", to_json_line(c.shrunk),
-                      plan.under_test.asked_for());
-  for (unsigned k = 0; k < finding_kinds; ++k) {
-    std::optional<std::uint64_t> ray;
-    for (const auto& of_generator : result.first)
-      if (of_generator[k] && (!ray || *of_generator[k] < *ray))
-        ray = of_generator[k];
-    if (ray && static_cast<finding>(k) != c.kind)
-      text += fmt::format("also {}: again: {}\n", name_of(static_cast<finding>(k)),
-                          command_of(plan, *ray));
+  text +=
+      kinds_of(result) + fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
+                                     name_of(c.kind), support::shown(plan.under_test.name), c.ray,
+                                     plan.seed, plan.generators[generator_of(plan, c.ray)]->name,
+                                     spelled(c.found), spelled(c.shrunk));
+  text += fmt::format("replay: {}\n", replay_command(plan, c));
+  for (const finding kind : result.kinds_found()) {
+    if (kind != c.kind)
+      text += fmt::format("also {}: again: {}\n", name_of(kind),
+                          command_of(plan, *first_ray(result, kind)));
   }
   return text;
 }
 
 std::string to_json(const campaign_plan& plan, const campaign_result& result,
-                    const std::optional<counterexample>& c) {
+                    const std::optional<counterexample>& c, const check_report* compared) {
   json object;
   object["traversal"] = plan.under_test.name;
   object["promise"] = name_of(plan.under_test.guarded()->promises());
@@ -129,6 +178,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["last_level"] = plan.last_level;
   object["search"] = name_of(plan.method);
   object["seed"] = plan.seed;
+  object["tame"] = plan.tame;
   object["threads"] = plan.workers;
   add_counts(object, result.total);
   object["seconds"] = result.seconds;
@@ -149,6 +199,8 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
     add_counts(counted, result.by_generator[g]);
     object["generators"].push_back(std::move(counted));
   }
+  if (compared != nullptr)
+    object["baseline"] = json::parse(standings_json(*compared));
   return object.dump(2, ' ', false, json::error_handler_t::replace);
 }
 

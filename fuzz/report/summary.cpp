@@ -19,17 +19,18 @@ campaign_result result_of(const merged_campaign& m) {
   r.total = m.state.total();
   r.seconds = m.state.elapsed;
   r.first.resize(r.by_generator.size());
+  r.first_tame.resize(r.by_generator.size());
   return r;
 }
 
-/// Most serious first, then by the lowest ray.
+/// Tame ones first, most serious first, then by the lowest ray.
 std::vector<std::pair<std::string, campaign_state::known_finding>>
 sorted_findings(const merged_campaign& m) {
   std::vector<std::pair<std::string, campaign_state::known_finding>> all(m.state.findings.begin(),
                                                                          m.state.findings.end());
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.second.kind, a.second.ray, a.first) <
-           std::tie(b.second.kind, b.second.ray, b.first);
+    return std::tuple(!a.second.tame, a.second.kind, a.second.ray, a.first) <
+           std::tuple(!b.second.tame, b.second.kind, b.second.ray, b.first);
   });
   return all;
 }
@@ -152,6 +153,7 @@ std::string to_json(const merged_campaign& m, const campaign_plan& plan) {
                                   {"kind", name_of(known.kind)},
                                   {"ray", known.ray},
                                   {"pieces", known.pieces},
+                                  {"tame", known.tame},
                                   {"file", m.files.at(hash)}});
   return support::json_line(object);
 }

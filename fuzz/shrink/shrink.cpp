@@ -1,5 +1,6 @@
 #include <chrono>
 #include <cstdlib>
+#include <generate/tame.hpp>
 #include <shrink/shrink.hpp>
 #include <trial/number.hpp>
 
@@ -325,10 +326,12 @@ trial shrink(const trial& failing, const std::function<bool(const trial&)>& stil
 
 trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations,
              shrink_deadline end, const std::atomic<bool>* stop) {
+  const bool tame = is_tame(failing); // an owner takes it, and is to take what it becomes
   return shrink(
       failing,
       [&](const trial& t) {
-        return std::chrono::steady_clock::now() < end && (stop == nullptr || !stop->load()) &&
+        return (!tame || is_tame(t)) && std::chrono::steady_clock::now() < end &&
+               (stop == nullptr || !stop->load()) &&
                (judge(t, under_test).findings & bit(kind)) != 0;
       },
       evaluations);

@@ -35,7 +35,8 @@ inline shrink_deadline usual_deadline() {
   return std::chrono::steady_clock::now() + std::chrono::seconds(10);
 }
 
-/// The same for a traversal: keeps `kind` among the findings, judged exactly each time. Once `stop`
+/// The same for a traversal: keeps `kind` among the findings, judged exactly each time, and a tame ray
+/// (generate/tame.hpp) tame. Once `stop`
 /// is set, what there is then is given.
 trial shrink(const trial& failing, traversal& under_test, finding kind,
              unsigned evaluations = 30'000, shrink_deadline end = usual_deadline(),

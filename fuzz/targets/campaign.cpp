@@ -28,7 +28,7 @@ finished_piece some_piece() {
   p.elapsed = 1.5;
   p.by_generator.resize(2);
   p.by_generator[0].rays = p.by_generator[1].rays = 500;
-  p.findings.push_back({content_hash("x"), finding::gap, 4711});
+  p.findings.push_back({content_hash("x"), finding::gap, 4711, true});
   return p;
 }
 
@@ -65,5 +65,6 @@ std::vector<std::string> target::seeds() {
       "{}",
       "[",
       "null",
-      R"({"piece":1,"counts":[[]],"findings":[{}]})"};
+      R"({"piece":1,"counts":[[]],"findings":[{}]})",
+      R"({"piece":1.8e20,"elapsed":0,"counts":[[1e300]],"findings":[]})"};
 }

@@ -43,6 +43,7 @@ public:
 
   std::array<std::int64_t, 3> first{}; ///< what the library calls voxel [0, 0, 0]
   std::string about;                   ///< library, rule and ambiguous voxels: a line
+  double read_seconds = 0;             ///< that its library took
 
 private:
   voxel_map() = default;

@@ -1,33 +1,10 @@
-#include <graze/render/image.hpp>
+#include "encoders.hpp"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace graze::render {
-namespace {
-
-/// The planes `names` interleaved as Value, by convert.
-template <class Value, class Convert>
-std::vector<Value> interleave(const std::vector<const channel*>& planes, Convert convert) {
-  const std::size_t count = planes.empty() ? 0 : planes.front()->values.size();
-  std::vector<Value> result(count * planes.size());
-  for (std::size_t c = 0; c < planes.size(); ++c)
-    for (std::size_t p = 0; p < count; ++p)
-      result[p * planes.size() + c] = convert(planes[c]->values[p]);
-  return result;
-}
-
-unexpected failure(const char* action, std::string detail) {
-  std::replace(detail.begin(), detail.end(), '\n', ' ');
-  return unexpected{fmt::format("{}: {}", action, detail.empty() ? "unknown reason" : detail)};
-}
-
-} // namespace
-
 const channel* picture::find(const std::string& name) const {
   for (const channel& c : channels)
     if (c.name == name)
@@ -53,80 +30,23 @@ std::uint8_t srgb_byte(float linear) {
   return static_cast<std::uint8_t>(encoded * 255 + 0.5);
 }
 
+support::status prepare_to_encode(file_format format) {
+  return format == file_format::exr ? load_exr_encoder() : support::status();
+}
+
 expected<std::vector<unsigned char>> encode(const picture& image, file_format format) {
   const std::size_t pixels =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (pixels == 0)
     return unexpected{"a picture without pixels"};
-  std::vector<const channel*> planes;
-  if (format == file_format::png)
-    planes = {image.find("R"), image.find("G"), image.find("B")};
-  else
-    for (const channel& c : image.channels)
-      planes.push_back(&c);
-  for (const channel* c : planes)
-    if (c == nullptr || c->values.size() != pixels)
-      return unexpected{"a picture lacks a channel, or a channel lacks pixels"};
-
-  const bool png = format == file_format::png;
-  const auto type = png ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
-  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(planes.size()), type);
-  if (!png) {
-    spec.x = image.left;
-    spec.y = image.top;
-    spec.full_x = spec.full_y = 0;
-    spec.full_width = image.full_width != 0 ? image.full_width : image.width;
-    spec.full_height = image.full_height != 0 ? image.full_height : image.height;
-  }
-  spec.channelnames.clear();
-  for (const channel* c : planes)
-    spec.channelnames.push_back(c->name);
-  for (const auto& [key, value] : image.metadata)
-    spec.attribute(key, value);
-  spec.attribute("oiio:ColorSpace", png ? "sRGB" : "Linear");
-  spec.attribute("DateTime", ""); // or the EXR writer puts in the time of day
-  if (!png)
-    spec.attribute("compression", "zip");
-
-  const auto writer = OIIO::ImageOutput::create(png ? "png" : "exr");
-  if (!writer)
-    return failure("no writer for this format", OIIO::geterror());
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  if (!writer->set_ioproxy(&memory))
-    return failure("cannot encode into memory", writer->geterror());
-  if (!writer->open(png ? "picture.png" : "picture.exr", spec))
-    return failure("cannot encode", writer->geterror());
-  const bool written =
-      png ? writer->write_image(type, interleave<std::uint8_t>(planes, srgb_byte).data())
-          : writer->write_image(type, interleave<float>(planes, [](float v) { return v; }).data());
-  if (!written || !writer->close())
-    return failure("cannot encode", writer->geterror());
-  return bytes;
-}
-
-expected<picture> read_picture(const std::filesystem::path& file) {
-  const auto reader = OIIO::ImageInput::open(file.string());
-  if (!reader)
-    return failure("cannot read", OIIO::geterror());
-  const OIIO::ImageSpec& spec = reader->spec();
-  picture result{spec.width,      spec.height,     {}, {}, spec.x, spec.y,
-                 spec.full_width, spec.full_height};
-  const std::size_t pixels = spec.image_pixels();
-  const std::size_t count = static_cast<std::size_t>(spec.nchannels);
-  std::vector<float> values(pixels * count);
-  if (!reader->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
-    return failure("cannot read", reader->geterror());
-  for (std::size_t c = 0; c < count; ++c) {
-    channel plane{spec.channel_name(static_cast<int>(c)), std::vector<float>(pixels)};
-    for (std::size_t p = 0; p < pixels; ++p)
-      plane.values[p] = values[p * count + c];
-    result.channels.push_back(std::move(plane));
-  }
-  for (const auto& attribute : spec.extra_attribs)
-    if (attribute.type() == OIIO::TypeDesc::STRING)
-      result.metadata.emplace_back(attribute.name().string(), attribute.get_string());
-  return result;
+  bool whole = !image.channels.empty();
+  for (const channel& c : image.channels)
+    whole = whole && c.values.size() == pixels;
+  for (const char* name : {"R", "G", "B"})
+    whole = whole && (format == file_format::exr || image.find(name) != nullptr);
+  if (!whole)
+    return unexpected{"a picture lacks a channel, or a channel lacks pixels"};
+  return format == file_format::png ? encode_png(image) : encode_exr(image);
 }
 
 } // namespace graze::render

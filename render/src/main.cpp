@@ -58,7 +58,8 @@ expected<scene> scene_of_picture(const std::string& file, picture_settings& sett
 /// before any work.
 expected<scene> understand(request& r) {
   if (r.scene.count() + int{!r.again.empty()} != 1)
-    return unexpected{"one of --scene, --formula, --again is needed (--help shows the options)"};
+    return unexpected{
+        "exactly one of --scene, --formula, --again is needed (--help shows the options)"};
   if (r.threads < 0 || r.threads > static_cast<int>(most_threads))
     return unexpected{fmt::format("--threads must be 0 to {}, not {}", most_threads, r.threads)};
   if (const status may = r.scene.check(); !may)
@@ -76,13 +77,16 @@ expected<scene> understand(request& r) {
   }
   if (const status may = r.settings.check(); !may)
     return unexpected{may.reason()};
-  if (const auto format = format_of(r.output); !format)
+  const auto format = format_of(r.output);
+  if (!format)
     return unexpected{"the output " + format.reason()};
   if (const status may = check_writable(r.output); !may)
     return unexpected{may.reason()};
-  if (!r.again.empty())
-    return scene_of_picture(r.again, r.settings);
-  return r.scene.read();
+  auto s = r.again.empty() ? r.scene.read() : scene_of_picture(r.again, r.settings);
+  if (s)
+    if (const status may = prepare_to_encode(*format); !may)
+      return unexpected{may.reason()};
+  return s;
 }
 
 nlohmann::ordered_json counts_of(const tally& c) {
@@ -249,6 +253,7 @@ int start(int argc, char** argv) {
     return bad_input("--levels and --octree-level are of --method descent");
   r.settings.method = of_descent || r.method == "descent" ? method::descent : method::certified;
   listen_for_interrupts();
+  limit_memory();
   const auto s = understand(r);
   if (!s)
     return bad_input(s.reason());

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <graze/octree/cube.hpp>
+#include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
 
 namespace graze::render {
@@ -97,14 +98,22 @@ expected<picture_settings> picture_settings::parse(std::string_view text) {
     if (method_name != "descent" && method_name != "certified")
       return unexpected{"its method is unknown"};
     s.method = method_name == "certified" ? render::method::certified : render::method::descent;
-    s.levels = j.at("levels").get<int>();
-    s.octree_level = j.at("octree_level").get<int>();
-    s.size = {j.at("size").at(0).get<int>(), j.at("size").at(1).get<int>()};
-    s.spp = j.at("spp").get<int>();
+    bool whole = true;
+    const auto number = [&whole](const nlohmann::json& value) {
+      const auto x = support::whole_number<int>(value);
+      whole = whole && x.has_value();
+      return x.value_or(0);
+    };
+    s.levels = number(j.at("levels"));
+    s.octree_level = number(j.at("octree_level"));
+    s.size = {number(j.at("size").at(0)), number(j.at("size").at(1))};
+    s.spp = number(j.at("spp"));
     if (j.contains("crop")) {
-      const auto c = j.at("crop").get<std::array<int, 4>>();
-      s.crop = window{c[0], c[1], {c[2], c[3]}};
+      const nlohmann::json& c = j.at("crop");
+      s.crop = window{number(c.at(0)), number(c.at(1)), {number(c.at(2)), number(c.at(3))}};
     }
+    if (!whole)
+      return unexpected{"its settings hold a number that is not whole, or too large"};
     if (const support::status may = s.check(); !may)
       return unexpected{may.reason()};
     return s;

@@ -81,9 +81,9 @@ void shader::sort(std::span<const octree::ray> rays, std::span<const octree::sur
       break;
     case verdict::hit: {
       const vec3 point = point_at(rays[i], middle(hits[i]));
-      seen_.push_back({pixels[i], weights[i], rays[i], hits[i], point,
-                       facing_normal(surface_.whole().gradient(point), rays[i].direction()),
-                       object_at(scene_, point), departure{}, 0});
+      seen_.emplace_back(pixels[i], weights[i], rays[i], hits[i], point,
+                         facing_normal(surface_.whole().gradient(point), rays[i].direction()),
+                         object_at(scene_, point), departure{}, 0);
     }
     }
   }

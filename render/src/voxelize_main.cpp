@@ -59,7 +59,8 @@ status check(const request& r) {
   if (!r.info.empty())
     return {};
   if (r.scene.count() != 1)
-    return unexpected{"one of --scene, --formula, --info is needed (--help shows the options)"};
+    return unexpected{
+        "exactly one of --scene, --formula, --info is needed (--help shows the options)"};
   if (r.output.empty())
     return unexpected{"--out is needed (--help shows the options)"};
   if (const status may = r.scene.check(); !may)
@@ -176,6 +177,7 @@ int start(int argc, char** argv) {
   if (const status may = check(r); !may)
     return bad_input(may.reason());
   listen_for_interrupts();
+  limit_memory();
   return r.info.empty() ? voxelize_to_file(r) : show_file(r);
 }
 

@@ -108,12 +108,6 @@ class Matrix:
             return Outcome("hangs", out or b"", err, SECONDS)
         return Outcome(p.returncode, out or b"", err, time.monotonic() - start)
 
-    def starts(self, program, **limits):
-        """A program whose libraries do not even reach its main() under a limit cannot be tried."""
-        o = self.run([program, "--version"], **limits)
-        if o.code != 0 and not (o.code == 2 and o.err.startswith(b"graze-")):
-            raise Skip("the libraries that the program is linked to do not start under this limit")
-
     def add(self, name, run, **more):
         self.cells.append(Cell(name, run, **more))
 
@@ -124,6 +118,8 @@ class Matrix:
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": f}
         subprocess.run([p["graze-fuzz"], "run", "--rays", "2000", "--traversal", "published", "--no-shrink",
                         "--save", "miss.jsonl"], **quiet)
+        subprocess.run([p["graze-fuzz"], "run", "--rays", "500", "--traversal", "published", "--no-shrink",
+                        "--write-baseline", "known.json"], **quiet)
         subprocess.run([p["graze-fuzz"], "campaign", "campaign", "--rays", "4000", "--piece", "1000", "--traversal",
                         "published", "--seed", "3"], **quiet)
         for picture in ("a.png", "a.exr"):
@@ -145,6 +141,10 @@ class Matrix:
             "fuzz run, a finding": lambda: [fuzz, "run", "--rays", "500", "--traversal", "published", "--no-shrink"],
             "fuzz run, a finding, --json": lambda: [fuzz, "run", "--rays", "500", "--traversal", "published", "--json",
                                                     "--no-shrink"],
+            "fuzz run --baseline": lambda: [fuzz, "run", "--rays", "500", "--traversal", "published", "--no-shrink",
+                                            "--baseline", "known.json"],
+            "fuzz run --github": lambda: [fuzz, "run", "--rays", "500", "--traversal", "published", "--no-shrink",
+                                          "--github"],
             "fuzz run --command": lambda: [fuzz, "run", "--rays", "50", "--command", ADAPTER],
             "fuzz replay": lambda: [fuzz, "replay", "miss.jsonl"],
             "fuzz replay --json": lambda: [fuzz, "replay", "miss.jsonl", "--json"],
@@ -182,7 +182,7 @@ class Matrix:
         if self.farm:
             all_of["farm --help"] = lambda: ["/usr/bin/python3", self.farm, "--help"]
         # one direction shows no miss of the baselines: that is its finding
-        found = {"fuzz run, a finding", "fuzz run, a finding, --json", "fuzz summary", "fuzz summary --json",
+        found = {"fuzz run, a finding", "fuzz run --github", "fuzz run, a finding, --json", "fuzz summary", "fuzz summary --json",
                  "exhaustive"}
         return {name: (argv, 1 if name in found else 0) for name, argv in all_of.items()}
 
@@ -285,6 +285,9 @@ class Matrix:
         picture = lambda: str(self.scratch() / "out.png")
         readers = {
             "fuzz replay FILE": (".jsonl", lambda f: [p["graze-fuzz"], "replay", f]),
+            "fuzz run --baseline FILE": (".json", lambda f: [p["graze-fuzz"], "run", "--rays", "500", "--baseline", f]),
+            "fuzz replay --baseline FILE": (".json", lambda f: [p["graze-fuzz"], "replay", "miss.jsonl", "--baseline", f]),
+            "fuzz replay FOLDER/FILE": (".jsonl", lambda f: [p["graze-fuzz"], "replay", os.path.dirname(f)]),
             "render --scene FILE": (".json", lambda f: [p["graze-render"], "--scene", f, "-o", picture()]),
             "render --again FILE": (".exr", lambda f: [p["graze-render"], "--again", f, "-o", picture()]),
             "voxelize --info FILE": ("", lambda f: [p["graze-voxelize"], "--info", f]),
@@ -337,6 +340,12 @@ class Matrix:
                                                             "published", "--no-shrink", "--save", f]),
             "fuzz run --reproducer FOLDER": ("", 2, lambda f: [p["graze-fuzz"], "run", "--rays", "500", "--no-shrink",
                                                               "--traversal", "published", "--reproducer", f]),
+            "fuzz run --save-all FOLDER": ("", 2, lambda f: [p["graze-fuzz"], "run", "--rays", "500", "--no-shrink",
+                                                            "--traversal", "published", "--save-all", f]),
+            **{f"fuzz {command[0]} {option} FILE": (".json", 2, lambda f, c=command, o=option: [p["graze-fuzz"], *c, o, f])
+               for option in ("--write-baseline", "--junit", "--sarif")
+               for command in (["run", "--rays", "500", "--no-shrink", "--traversal", "published"],
+                               ["replay", "miss.jsonl", "--traversal", "published"], ["summary", "campaign"])},
             "fuzz summary --html FILE": (".html", 2, lambda f: [p["graze-fuzz"], "summary", "campaign", "--html", f]),
             "fuzz campaign FOLDER": ("", 2, lambda f: [p["graze-fuzz"], "campaign", f, "--rays", "1000"]),
             "render -o FILE.png": (".png", 1, lambda f: [p["graze-render"], "--scene", "spheres", "--size", "200",
@@ -355,7 +364,7 @@ class Matrix:
                 def run(argv=argv, ending=ending, kind=kind, state=state):
                     if kind == "missing folder":
                         path = self.scratch() / "none" / "none" / ("out" + ending)
-                        if argv("x")[1] == "run" and "--reproducer" in argv("x"):
+                        if argv("x")[1] == "run" and {"--reproducer", "--save-all"} & set(argv("x")):
                             (path.parent.parent).write_text("no folder")
                     elif kind == "folder without permission":
                         folder = self.scratch()
@@ -408,34 +417,28 @@ class Matrix:
     def limits(self):
         commands = self.commands()
         for name in ("fuzz run", "fuzz run --command", "fuzz replay", "fuzz self", "fuzz campaign", "fuzz summary",
-                     "render png", "render descent", "render --again", "voxelize", "voxelize --info", "itf1788",
-                     "exhaustive"):
+                     "render png", "render exr --json", "render descent", "render --again", "voxelize",
+                     "voxelize --info", "itf1788", "exhaustive"):
             argv, well = commands[name]
             for files in (4, 5, 6, 7, 9):
                 def run(a=argv, n=files):
-                    limit = [(resource.RLIMIT_NOFILE, n)]
-                    argv = a()
-                    self.starts(argv[0], limits=limit)
-                    return self.run(argv, limits=limit)
+                    return self.run(a(), limits=[(resource.RLIMIT_NOFILE, n)])
                 self.add(f"{name}: {files} descriptors", run,
                          codes=(well, 1 if name.startswith(("render", "voxelize")) else 2, 2), lines=(0, 1, 2),
                          check=self.word_of_the_program)
-            for megabytes in (40, 80, 120, 200, 400):
+            libraries = "exr" in name  # OpenImageIO's, which start threads and take memory when they are loaded
+            for megabytes in (40, 80, 120, 200, 400, *((550, 640, 700, 800) if libraries else ())):
                 def run(a=argv, m=megabytes):
-                    limit = [(resource.RLIMIT_AS, m << 20)]
                     argv = a()
-                    self.starts(argv[0], limits=limit)
                     threads = ["--threads", "64"] if argv[1] in ("run", "campaign", "--scene") else []
-                    return self.run(argv + threads, limits=limit)
+                    return self.run(argv + threads, limits=[(resource.RLIMIT_AS, m << 20)])
                 self.add(f"{name}: {megabytes} MB of memory", run, codes=(well, 2), lines=(0, 1, 2),
                          check=self.word_of_the_program)
-            for processes in (1, 3):
+            for processes in (1, 3, *((2, 4, 5, 6, 7, 8) if libraries else ())):
                 def run(a=argv, n=processes):
-                    limit = [(resource.RLIMIT_NPROC, n)]
                     argv = a()
-                    self.starts(argv[0], nobody=True, limits=limit)
                     threads = ["--threads", "8"] if argv[1] in ("run", "campaign", "--scene") else []
-                    return self.run(argv + threads, nobody=True, limits=limit)
+                    return self.run(argv + threads, nobody=True, limits=[(resource.RLIMIT_NPROC, n)])
                 self.add(f"{name}: {processes} processes", run, codes=(well, 2), lines=(0, 1, 2),
                          check=self.word_of_the_program)
 

@@ -71,6 +71,6 @@ TEST_CASE("fuzz.mutants: bounds that pass for exact are seen as spurious octants
     CHECK(result.total.spurious > 1000);
     CHECK(result.total.misses == 0);
     CHECK(result.total.order_errors == 0);
-    CHECK(result.worst_finding() == finding::spurious);
+    CHECK(result.foremost() == finding::spurious);
   }
 }

@@ -89,7 +89,7 @@ void check_picture(const std::string& svg) {
 
 } // namespace
 
-TEST_CASE("fuzz.reproducer: four files, each whole, and the line replays to the same finding",
+TEST_CASE("fuzz.reproducer: five files, each whole, and the line replays to the same finding",
           "[unit]") {
   for (const char* name : {"published", "plain", "gargantini", "mutant-drops", "mutant-reversed",
                            "mutant-everything", "mutant-exact", "mutant-inexact", "mutant-twice"}) {
@@ -100,18 +100,19 @@ TEST_CASE("fuzz.reproducer: four files, each whole, and the line replays to the 
       INFO(name << " " << name_of(kind) << " " << path.reason());
       REQUIRE(path);
       for (const char* ending : endings)
-        CHECK_FALSE(content(*path + ending).empty());
+        CHECK_FALSE(content(path->path + ending).empty());
+      CHECK_FALSE(content(path->test).empty());
       unsigned files = 0;
       for ([[maybe_unused]] const auto& entry :
            std::filesystem::directory_iterator(dir / "deep/out"))
         ++files;
-      CHECK(files == endings.size()); // no part of a file is left
-      const auto cases = read_replay_file(*path + ".json");
+      CHECK(files == endings.size() + 1); // and the test; no part of a file is left
+      const auto cases = read_replay_file(path->path + ".json");
       REQUIRE(cases);
       REQUIRE(cases->size() == 1);
       CHECK((*cases)[0].at == t);
       CHECK((replay((*cases)[0].at, *under_test).findings & bit(kind)) != 0);
-      check_picture(content(*path + ".svg"));
+      check_picture(content(path->path + ".svg"));
     }
   }
 }

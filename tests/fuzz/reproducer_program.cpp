@@ -10,7 +10,7 @@ using support::outcome, support::scratch, support::content;
 std::string only(const std::string& folder, const std::string& ending) {
   std::string found;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ending) {
+    if (entry.path().extension() == ending && !entry.path().string().ends_with("_test.cpp")) {
       CHECK(found.empty());
       found = entry.path().string();
     }

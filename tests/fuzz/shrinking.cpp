@@ -39,7 +39,7 @@ TEST_CASE("fuzz.shrink: keeps the kind of finding for every mutant", "[property]
     const auto under_test = e.guarded();
     const campaign_plan plan = plan_of(e.name, 30, 2000);
     const campaign_result result = run(plan);
-    const auto kind = result.worst_finding();
+    const auto kind = result.foremost();
     REQUIRE(kind);
     for (const auto& first : result.first)
       if (const auto& ray = first[static_cast<unsigned>(*kind)]) {

@@ -14,3 +14,6 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${consumer_build} -G Ninja -DCMAKE_PREFIX_P
 run(${CMAKE_COMMAND} --build ${consumer_build})
 run(${consumer_build}/consumer)
 run(${consumer_build}/swap_consumer)
+if(EXISTS ${prefix}/bin/graze-render) # it finds its plug-in
+  run(${prefix}/bin/graze-render --scene spheres --size 8 -o ${BUILD}/install-test/a.exr)
+endif()

@@ -3,7 +3,6 @@
 #include <graze/octree/surfaces.hpp>
 #include <graze/octree/voxelizer.hpp>
 #include <graze/octree_file.hpp>
-#include <graze/render/image.hpp>
 #include <graze/render/scene.hpp>
 #include <nlohmann/json.hpp>
 
@@ -15,20 +14,6 @@ void refused(const scratch& dir, const std::string& arguments, const std::string
   CHECK(dir.empty());
 }
 } // namespace
-
-TEST_CASE("graze-render: a picture and a line with rays/s, hits and octants a ray", "[unit]") {
-  const scratch dir;
-  const std::string file = dir / "a.png";
-  const auto o =
-      call(GRAZE_RENDER, "--scene tanglecube --levels 30 --size 64 --octree-level 6 -o " + file);
-  CHECK(o.code == 0);
-  for (const char* word : {"rays/s", "hits", "octants a ray"})
-    CHECK(o.out.find(word) != std::string::npos);
-  const auto back = graze::render::read_picture(file);
-  REQUIRE(back);
-  CHECK(back->width == 64);
-  CHECK(back->height == 64);
-}
 
 TEST_CASE("graze-render: --method is certified unless the descent's levels are given", "[unit]") {
   const scratch dir;
@@ -160,24 +145,28 @@ TEST_CASE("graze-render: a full disk is one line, exit code 1, and no file", "[u
   CHECK(dir.empty());
 }
 
-TEST_CASE("graze-render: an interrupt leaves a valid picture or none, and says so", "[unit]") {
-  const scratch dir, pictures;
-  // The signal comes with the first report of progress, long before the end.
-  const std::string log = dir / "log", file = pictures / "a.png";
-  const auto o = call(
-      "sh", "-c '" + std::string(GRAZE_RENDER) +
-                " --scene spheres --levels 50 --size 2048 --spp 256 --progress -o " + file + " 2>" +
-                log + " & while ! [ -s " + log + " ]; do sleep 0.02; done; kill -INT $!; wait $!'");
-  const std::string err = support::content(log);
-  INFO(err);
-  CHECK(err.find("interrupted") != std::string::npos);
-  CHECK(o.code == 130);
-  if (!pictures.empty()) {
-    const auto part = graze::render::read_picture(file);
-    REQUIRE(part.has_value());
-    const std::pair<std::string, std::string> entry = {"graze:complete", "no"};
-    CHECK(std::count(part->metadata.begin(), part->metadata.end(), entry) == 1);
-  }
+TEST_CASE("graze-render: EXR needs the plug-in, which lies beside it; PNG needs nothing",
+          "[unit]") {
+  namespace fs = std::filesystem;
+  const scratch dir, programs;
+  const std::string alone = programs / "graze-render", plugin = programs / "graze_exr.so",
+                    png = " -o " + (dir / "a.png"), exr = " -o " + (dir / "a.exr");
+  fs::copy(GRAZE_RENDER, alone);
+  support::refused(alone, "--scene spheres --size 8" + exr, "graze_exr.so");
+  support::refused(alone, "--scene teapot" + exr, "teapot"); // said before
+  CHECK(dir.empty());
+  CHECK(call(alone, "--scene spheres --size 8" + png).code == 0);
+  std::ofstream(plugin) << "no library";
+  support::refused(alone, "--scene spheres --size 8" + exr, "cannot load");
+  CHECK(!fs::exists(dir / "a.exr"));
+  fs::remove(plugin);
+  fs::copy(GRAZE_EXR_PLUGIN, plugin);
+  CHECK(call(alone, "--scene spheres --size 8" + exr).code == 0);
+  fs::remove(plugin); // a picture's texts need none
+  CHECK(call(alone, "--again " + (dir / "a.exr") + png).code == 0);
+  const auto libraries = call("ldd", GRAZE_RENDER);
+  CHECK(libraries.code == 0);
+  CHECK(libraries.out.find("OpenImageIO") == std::string::npos);
 }
 
 TEST_CASE("graze-render: help has examples", "[unit]") {

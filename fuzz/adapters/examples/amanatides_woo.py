@@ -48,4 +48,4 @@ for line in sys.stdin:
     corner = [root["lo"][a] + base[a] * size for a in range(3)]
     answer = [[base[a] + v[a] for a in range(3)]
               for v in visited(ray["origin"], ray["direction"], corner, size, ray["extent"])]
-    print(json.dumps(answer), flush=True)
+    print(json.dumps({"visited": answer, "echo": ray.get("echo")}), flush=True)

@@ -29,8 +29,13 @@ function walk(ray, index, lo, size, left, out) {
   }
 }
 
-for await (const line of createInterface({ input: process.stdin })) {
-  const ray = JSON.parse(line), out = [];
-  walk(ray, [0, 0, 0], ray.root.lo, ray.root.size, ray.level, out);
-  console.log(JSON.stringify(out));
+function answer(ray) {
+  const visited = [];
+  walk(ray, [0, 0, 0], ray.root.lo, ray.root.size, ray.level, visited);
+  const echo = ray.echo?.map(x => Object.is(x, -0) ? '-0' : x); // JSON.stringify drops the sign
+  return { visited, echo };
 }
+
+console.log('{"promise":"crossed","batch":64}'); // many requests a message: fewer turns to and fro
+for await (const line of createInterface({ input: process.stdin }))
+  console.log(JSON.stringify({ answers: JSON.parse(line).batch.map(answer) }));

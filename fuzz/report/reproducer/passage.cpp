@@ -114,11 +114,13 @@ std::string_view claim_of(finding kind, promise p) {
   case finding::exception:
   case finding::not_a_number:
   case finding::malformed:
-    return "asked about the ray, the traversal gives no answer";
+    return sentence_of(kind);
   default:
     return "the octant of the finding";
   }
 }
+
+bool is_fault(finding kind) { return kind <= finding::malformed; }
 
 std::string_view fault_of(finding kind) {
   switch (kind) {
@@ -139,7 +141,7 @@ std::string_view fault_of(finding kind) {
   case finding::exception:
   case finding::not_a_number:
   case finding::malformed:
-    return "asked about, the block's first";
+    return "asked about (the block's first; none is to blame)";
   default:
     return "visited for nothing";
   }

@@ -35,6 +35,8 @@ std::string spelled(const mpq_class& x);
 std::string spelled(const vec3& v);
 /// What the finding says about the octant, as a clause: "the ray crosses its interior".
 std::string_view claim_of(finding kind, promise p);
+/// There is no answer, and no octant is to blame.
+bool is_fault(finding kind);
 /// What the traversal did: "was not visited".
 std::string_view fault_of(finding kind);
 

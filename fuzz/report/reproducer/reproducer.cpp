@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <graze/support/files.hpp>
 #include <report/reproducer/reproducer.hpp>
+#include <report/reproducer/test_file.hpp>
 #include <shrink/shrink.hpp>
 
 namespace graze::fuzz {
@@ -82,8 +83,9 @@ reproduction reproduction_of(const trial& t, traversal& under_test, finding kind
 }
 
 std::string reproducer_name(const reproduction& r) {
-  std::string name =
-      fmt::format("{}-{}-{:08x}", r.traversal, name_of(r.kind), hash_of(to_json_line(r.at)) >> 32);
+  constexpr std::size_t longest = 60; // of a traversal, in the name of a file
+  std::string name = fmt::format("{}-{}-{:08x}", r.traversal.substr(0, longest), name_of(r.kind),
+                                 hash_of(to_json_line(r.at)) >> 32);
   for (char& c : name) // a traversal's name may be a command line
     if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'))
       c = '_';
@@ -97,24 +99,32 @@ support::status prepare_folder(const std::string& folder) {
                : support::check_writable((std::filesystem::path(folder) / "x.json").string());
 }
 
-expected<std::string> write_reproducer(const reproduction& r, const std::string& folder) {
+expected<written_reproducer> write_reproducer(const reproduction& r, const std::string& folder,
+                                              language written) {
   if (const support::status may = prepare_folder(folder); !may)
     return unexpected{may.reason()};
-  const std::string path = (std::filesystem::path(folder) / reproducer_name(r)).string();
-  const std::array<std::pair<const char*, std::string>, 4> files{{{".txt", reproducer_text(r)},
-                                                                  {".cpp", reproducer_snippet(r)},
-                                                                  {".svg", reproducer_picture(r)},
-                                                                  {".json", reproducer_json(r)}}};
-  for (const auto& [ending, text] : files)
-    if (const support::status written = support::write_atomically(path + ending, text); !written)
-      return unexpected{written.reason()};
-  return path;
+  const std::filesystem::path within(folder);
+  const written_reproducer done{(within / reproducer_name(r)).string(),
+                                (within / test_file_name(r, written)).string()};
+  const std::array<std::pair<std::string, std::string>, 5> files{
+      {{done.path + ".txt", reproducer_text(r)},
+       {done.path + ".cpp", reproducer_snippet(r)},
+       {done.path + ".svg", reproducer_picture(r)},
+       {done.test, test_file(r, written)},
+       {done.path + ".json", reproducer_json(r)}}};
+  for (const auto& [path, text] : files)
+    if (const support::status s = support::write_atomically(path, text); !s)
+      return unexpected{s.reason()};
+  return done;
 }
 
-expected<std::string> write_reproducer(const trial& found, traversal& under_test, finding kind,
-                                       const std::string& options, const std::string& folder) {
-  return write_reproducer(
-      reproduction_of(shrink(found, under_test, kind), under_test, kind, options), folder);
+expected<written_reproducer> write_reproducer(const trial& found, traversal& under_test,
+                                              finding kind, const std::string& options,
+                                              const std::string& folder,
+                                              const reader_of_test& reader) {
+  reproduction r = reproduction_of(shrink(found, under_test, kind), under_test, kind, options);
+  r.external = reader.external;
+  return write_reproducer(r, folder, reader.written);
 }
 
 } // namespace graze::fuzz

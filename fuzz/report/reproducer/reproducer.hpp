@@ -1,17 +1,29 @@
 #pragma once
-/// What a maintainer is handed for a finding: four small files about one ray and one octant.
+/// What a maintainer is handed for a finding: five small files about one ray and one octant.
 ///
 ///   NAME.json  the replay line ("graze-fuzz replay NAME.json")
 ///   NAME.txt   root, level, ray, octant, what was missed, by how much, judged by what
 ///   NAME.cpp   the ray and the box in hex floats; where 128-bit integers hold the products, the
 ///              claim as a static_assert, in plain C++ without Graze
 ///   NAME.svg   the ray and the octants on the two axes that tell most
+///   a test in the language of the traversal, by its bits and what must be visited (test_file.hpp)
 ///
 /// NAME is traversal-finding-HASH, the hash being that of the replay line: one case, one name.
+#include <external/external.hpp>
 #include <graze/support/status.hpp>
 #include <judge/replay.hpp>
 
 namespace graze::fuzz {
+
+/// In which the test is written.
+enum class language : std::uint8_t { rust, go, java, javascript, python, cpp };
+
+/// For whom a reproducer is written.
+struct reader_of_test {
+  language written = language::cpp;
+  std::optional<external_options>
+      external{}; ///< the command that the test asks; else a function is left to be filled in
+};
 
 /// A finding with all that is told about it.
 struct reproduction {
@@ -24,6 +36,7 @@ struct reproduction {
   visited answer;
   replay_result judged;  ///< by rationals
   octant_number subject; ///< the octant that the finding is about: the first that was missed, ...
+  std::optional<external_options> external{}; ///< how a test asks the traversal
 
   /// The octant's box.
   [[nodiscard]] cube octant() const { return answered.octant(subject); }
@@ -45,12 +58,21 @@ std::string reproducer_picture(const reproduction& r);
 /// Makes the folder if it is not there; refused if nothing can be written to it.
 support::status prepare_folder(const std::string& folder);
 
-/// Writes the four files, each whole or not at all, NAME.json last. Gives the path without its
-/// ending; refuses when a file cannot be written.
-expected<std::string> write_reproducer(const reproduction& r, const std::string& folder);
+/// What was written: "FOLDER/NAME.json .txt .cpp .svg, FOLDER/NAME_test.cpp".
+struct written_reproducer {
+  std::string path; ///< without an ending
+  std::string test; ///< the test's file
+  [[nodiscard]] std::string spelled() const { return path + ".json .txt .cpp .svg, " + test; }
+};
+
+/// Writes the five files, each whole or not at all, NAME.json last; refuses when a file cannot be written.
+expected<written_reproducer> write_reproducer(const reproduction& r, const std::string& folder,
+                                              language written = language::cpp);
 
 /// Shrinks the trial, keeping `kind`, and writes its reproducer.
-expected<std::string> write_reproducer(const trial& found, traversal& under_test, finding kind,
-                                       const std::string& options, const std::string& folder);
+expected<written_reproducer> write_reproducer(const trial& found, traversal& under_test,
+                                              finding kind, const std::string& options,
+                                              const std::string& folder,
+                                              const reader_of_test& reader = {});
 
 } // namespace graze::fuzz

@@ -79,10 +79,12 @@ std::string reproducer_snippet(const reproduction& r) {
   const trial& t = r.answered;
   const cube box = r.octant();
   const vec3 hi{box.hi(0), box.hi(1), box.hi(2)};
-  std::string text =
-      fmt::format("// {} by {}: {} (octant {}).\n// Root {} size {}, level {}.\n", name_of(r.kind),
-                  in_comment(r.traversal), claim_of(r.kind, r.promises), fault_of(r.kind),
-                  spelled(t.root.lo), hex(t.root.size), t.level);
+  std::string text = fmt::format("// {} by {}: {}", name_of(r.kind), in_comment(r.traversal),
+                                 claim_of(r.kind, r.promises));
+  if (!is_fault(r.kind))
+    text += fmt::format(" (octant {})", fault_of(r.kind));
+  text += fmt::format(".\n// Root {} size {}, level {}.\n", spelled(t.root.lo), hex(t.root.size),
+                      t.level);
   text += fmt::format("namespace {} {{\n", identifier(reproducer_name(r)));
   text += fmt::format("constexpr double origin[3] = {};\n", array_of(t.origin));
   text += fmt::format("constexpr double direction[3] = {};\n", array_of(t.direction));

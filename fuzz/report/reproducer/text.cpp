@@ -25,25 +25,33 @@ std::string reproducer_text(const reproduction& r) {
   if (r.answered != r.at)
     text += fmt::format("given      {}\ntowards    {}\n", spelled(r.at.origin),
                         spelled(r.at.direction));
-  text +=
-      fmt::format("octant     {} size {}: {}\n", spelled(box.lo), hex(box.size), fault_of(r.kind));
-  if (std::popcount(t.all()) > 1)
-    text += fmt::format("block      {} x {} x {} octants from {}\n", t.extent[0], t.extent[1],
-                        t.extent[2], spelled(t.octant(0).lo));
-  text += fmt::format("claim      {}\n", claim_of(r.kind, r.promises));
+  if (is_fault(r.kind)) // whatever the octants
+    text += fmt::format("block      {} x {} x {} octants of size {} from {}\nwhat       {}\n",
+                        t.extent[0], t.extent[1], t.extent[2], hex(box.size),
+                        spelled(t.octant(0).lo), sentence_of(r.kind));
+  else
+    text += fmt::format("octant     {} size {}: {}\n", spelled(box.lo), hex(box.size),
+                        fault_of(r.kind)) +
+            (std::popcount(t.all()) > 1
+                 ? fmt::format("block      {} x {} x {} octants from {}\n", t.extent[0],
+                               t.extent[1], t.extent[2], spelled(t.octant(0).lo))
+                 : std::string()) +
+            fmt::format("claim      {}\n", claim_of(r.kind, r.promises));
   if (!r.judged.thrown.empty())
     text += fmt::format("exception  {}\n", r.judged.thrown);
-  if (p.range)
-    text += fmt::format("passage    t from {} to {}, {:.6g} of the octant's size\n",
-                        spelled(p.range->first), spelled(p.range->second), p.chord(t));
-  text +=
-      fmt::format("margin     its line passes the edge {} = {}, {} = {} at {:.6g} ({:.6g} ulps "
-                  "of {})\n",
-                  "xyz"[p.along], hex(p.corner[p.along]), "xyz"[p.across], hex(p.corner[p.across]),
-                  p.distance.get_d(), p.distance_in_ulps(), hex(p.ulp));
-  text += fmt::format("judged by  rationals (GMP){}\n",
-                      r.judged.oracles_agree ? ", and the filtered exact oracle agrees"
-                                             : "; THE FILTERED ORACLE DISAGREES: a bug of graze");
+  if (!is_fault(r.kind)) {
+    if (p.range)
+      text += fmt::format("passage    t from {} to {}, {:.6g} of the octant's size\n",
+                          spelled(p.range->first), spelled(p.range->second), p.chord(t));
+    text +=
+        fmt::format("margin     its line passes the edge {} = {}, {} = {} at {:.6g} ({:.6g} ulps "
+                    "of {})\n",
+                    "xyz"[p.along], hex(p.corner[p.along]), "xyz"[p.across],
+                    hex(p.corner[p.across]), p.distance.get_d(), p.distance_in_ulps(), hex(p.ulp));
+    text += fmt::format("judged by  rationals (GMP){}\n",
+                        r.judged.oracles_agree ? ", and the filtered exact oracle agrees"
+                                               : "; THE FILTERED ORACLE DISAGREES: a bug of graze");
+  }
   text += fmt::format("replay     graze-fuzz replay {}.json {}\n", reproducer_name(r), r.options);
   return text;
 }

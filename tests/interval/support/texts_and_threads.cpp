@@ -4,6 +4,7 @@
 #include <graze/support/progress.hpp>
 #include <graze/support/text.hpp>
 #include <graze/support/threads.hpp>
+#include <nlohmann/json.hpp>
 
 using namespace graze::support;
 
@@ -28,6 +29,22 @@ TEST_CASE("support.text: one line, without controls, cut", "[unit]") {
   CHECK_FALSE(is_content_hash("0123456789ABCDEF0123456789abcdef"));
   CHECK_FALSE(is_content_hash("../../../../../../../../../../x."));
   CHECK_FALSE(is_content_hash(""));
+}
+
+TEST_CASE("support.text: a JSON number is whole, and held by the integer, or is refused",
+          "[unit]") {
+  using json = nlohmann::json;
+  const auto read = [](const char* text) { return json::parse(text); };
+  CHECK(whole_number<std::uint64_t>(read("18446744073709551615")) == UINT64_MAX);
+  CHECK(whole_number<int>(read("-2147483648")) == INT32_MIN);
+  CHECK_FALSE(whole_number<int>(read("2147483648")));
+  CHECK_FALSE(whole_number<std::uint64_t>(read("-1")));
+  for (const char* const text :
+       {"18446744073709551616", "1e300", "1.5", "1.0", "null", "\"1\"", "[1]", "true", "-1e300"}) {
+    CAPTURE(text);
+    CHECK_FALSE(whole_number<std::uint64_t>(read(text)));
+    CHECK_FALSE(whole_number<int>(read(text)));
+  }
 }
 
 TEST_CASE("support.threads: what a thread throws ends all and is thrown again", "[unit]") {

@@ -5,7 +5,13 @@
 
 namespace graze::octree::detail {
 using batch::this_path;
-constinit const voxel_rays_table GRAZE_ON_PATH(voxel_rays){start<this_path, node_test<this_path>>,
-                                                           fill<this_path, node_test<this_path>>,
-                                                           count<this_path, node_test<this_path>>};
+
+namespace {
+template <class Planes> constexpr voxel_rays_walk walk_through() {
+  using test = node_test<this_path, Planes>;
+  return {start<this_path, test>, fill<this_path, test>, count<this_path, test>};
+}
+} // namespace
+constinit const voxel_rays_table GRAZE_ON_PATH(voxel_rays){walk_through<computed_planes>(),
+                                                           walk_through<tabled_planes>()};
 } // namespace graze::octree::detail

@@ -1,10 +1,12 @@
 #pragma once
 /// The walk, written once over what opens a node: a class N of a path, made from a started state,
 /// with
-///   void open(lo, size)      tests a node's 64 octants
+///   planes                   where a node's planes come from (planes.hpp)
+///   void open(entry, level)  tests a node's 64 octants
 ///   mask()                   bit x + 4 y + 16 z: the ray, or its segment, may touch that octant
 ///   enter, leave             of its slabs, [4 axis + slab], after keep()
 /// Everything here has internal linkage: each path's file is compiled with flags of its own.
+#include "planes.hpp"
 #include <cmath>
 #include <graze/batch/path.hpp>
 #include <graze/octree/scaled_direction.hpp>
@@ -15,12 +17,16 @@
 namespace graze::octree::detail {
 namespace {
 
+/// |d| of each axis, between bounds; 1 on an axis along which the ray does not move.
+struct speeds {
+  double down[3], up[3];
+  double of_parameter; ///< what the ray's t is to be multiplied by: d was divided by it
+};
+
 /// The scaled time's constants (ray_bounds.hpp), for each axis: the products of the two other
-/// components' magnitudes, rounded down and up; lane 3 holds the product of all three.
-template <class P> GRAZE_BATCH_INLINE void products(const double* d, double* down, double* up) {
-  alignas(64) double m[3], x[8], y[8];
-  for (unsigned a = 0; a < 3; ++a)
-    m[a] = d[a] == 0 ? 1 : (d[a] < 0 ? -d[a] : d[a]);
+/// components' magnitudes, rounded down and up.
+template <class P> GRAZE_BATCH_INLINE void products(const double* m, double* down, double* up) {
+  alignas(64) double x[8], y[8];
   for (unsigned i = 0; i < 8; ++i) {
     x[i] = m[(i + 1) % 3];
     y[i] = m[(i + 2) % 3];
@@ -38,14 +44,15 @@ template <class P> GRAZE_BATCH_INLINE void products(const double* d, double* dow
 
 /// RD(RD(c0 m) RD(t of_parameter)), and the same with RU: t scaled.
 template <class P>
-GRAZE_BATCH_INLINE void scaled(double c_down, double c_up, double m, double of_parameter, double t,
-                               double& down, double& up) {
+GRAZE_BATCH_INLINE void scaled(double c_down, double c_up, double m_down, double m_up,
+                               double of_parameter, double t, double& down, double& up) {
   alignas(64) double x[8];
-  P::store(x, P::mul_down(P::mul_down(P::broadcast(c_down), P::broadcast(m)),
-                          P::mul_down(P::broadcast(t), P::broadcast(of_parameter))));
+  const auto parameter = P::broadcast(of_parameter);
+  P::store(x, P::mul_down(P::mul_down(P::broadcast(c_down), P::broadcast(m_down)),
+                          P::mul_down(P::broadcast(t), parameter)));
   down = x[0];
-  P::store(x, P::mul_up(P::mul_up(P::broadcast(c_up), P::broadcast(m)),
-                        P::mul_up(P::broadcast(t), P::broadcast(of_parameter))));
+  P::store(x, P::mul_up(P::mul_up(P::broadcast(c_up), P::broadcast(m_up)),
+                        P::mul_up(P::broadcast(t), parameter)));
   up = x[0];
 }
 
@@ -57,19 +64,93 @@ GRAZE_BATCH_INLINE void scaled(double c_down, double c_up, double m, double of_p
   return factors.of_parameter;
 }
 
-template <class P> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& s) {
+/// factor (to - from), of the one sign that it has, between bounds.
+template <class P>
+GRAZE_BATCH_INLINE void difference(double from, double to, double factor, double& down,
+                                   double& up) {
+  alignas(64) double x[8];
+  const auto f = P::broadcast(factor), p = P::broadcast(from), q = P::broadcast(to);
+  P::store(x, P::sub_down(P::mul_down(q, f), P::mul_up(p, f)));
+  const double least = x[0];
+  P::store(x, P::sub_up(P::mul_up(q, f), P::mul_down(p, f)));
+  down = to < from ? -x[0] : least;
+  up = to < from ? -least : x[0];
+}
+
+/// The difference of two points times a power of two, where it is not ordinary, or beyond the
+/// doubles.
+template <class P>
+[[gnu::noinline, gnu::cold]] void scale_difference(voxel_rays_state& s, speeds& m) {
+  double factor = 1;
+  for (unsigned a = 0; a < 3; ++a)
+    if (!(m.up[a] <= 0x1p1022))
+      factor = 0.25;
+  double size[3];
+  for (unsigned a = 0; a < 3; ++a) {
+    difference<P>(s.origin[a], s.direction[a], factor, m.down[a], m.up[a]);
+    size[a] = m.up[a];
+  }
+  const scaling factors = scaling_of(size[0], size[1], size[2]);
+  for (unsigned a = 0; a < 3; ++a) {
+    alignas(64) double x[8];
+    const auto by = P::broadcast(factors.of_direction);
+    P::store(x, P::mul_down(P::broadcast(m.down[a]), by));
+    m.down[a] = x[0];
+    P::store(x, P::mul_up(P::broadcast(m.up[a]), by));
+    m.up[a] = x[0];
+  }
+  m.of_parameter = factors.of_parameter / factor;
+}
+
+/// |d|, or 1 on an axis along which the ray does not move.
+GRAZE_BATCH_INLINE double magnitude(double d) { return d == 0 ? 1 : (d < 0 ? -d : d); }
+
+/// The same of the difference of two points, and numbers of its signs.
+template <class P>
+GRAZE_BATCH_INLINE speeds speeds_between(voxel_rays_state& s, double* direction) {
+  speeds m;
+  m.of_parameter = 1;
+  for (unsigned a = 0; a < 3; ++a)
+    difference<P>(s.origin[a], s.direction[a], 1, m.down[a], m.up[a]);
+  if (!is_ordinary(m.up[0], m.up[1], m.up[2]))
+    scale_difference<P>(s, m);
+  for (unsigned a = 0; a < 3; ++a) {
+    const double from = s.origin[a], to = s.direction[a];
+    direction[a] = to < from ? -1 : (from < to ? 1 : 0);
+    if (direction[a] == 0)
+      m.down[a] = m.up[a] = 1;
+  }
+  return m;
+}
+
+template <class P, class Planes, bool BetweenPoints>
+GRAZE_BATCH_INLINE void start_line(voxel_rays_state& s) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double direction[3] = {s.direction[0], s.direction[1], s.direction[2]}, down[3], up[3];
   double of_parameter = 1;
-  if (!is_ordinary(direction[0], direction[1], direction[2])) [[unlikely]]
-    of_parameter = scale(direction);
-  products<P>(direction, down, up);
+  [[maybe_unused]] speeds between;
+  if constexpr (BetweenPoints) {
+    between = speeds_between<P>(s, direction);
+    of_parameter = between.of_parameter;
+    double unused[3];
+    products<P>(between.down, down, unused);
+    products<P>(between.up, unused, up);
+  } else {
+    if (!is_ordinary(direction[0], direction[1], direction[2])) [[unlikely]]
+      of_parameter = scale(direction);
+    double m[3];
+    for (unsigned a = 0; a < 3; ++a)
+      m[a] = magnitude(direction[a]);
+    products<P>(m, down, up);
+  }
   double greatest = 0;     // magnitude of any scaled time that decides
   double least = infinity; // constant
+  double blurred = 0;      // what planes that are no doubles add
   s.flip = 0;
   for (unsigned a = 0; a < 3; ++a) {
     voxel_rays_axis& x = s.axes[a];
-    const double o = s.origin[a], d = direction[a], lo = s.root_lo[a], hi = lo + s.root_size;
+    const double o = s.origin[a], d = direction[a], lo = s.lo[a], hi = s.hi[a];
+    Planes::choose(s, a, d);
     x.sign = 1;
     x.enter_origin = x.leave_origin = o;
     if (d == 0) {
@@ -78,7 +159,7 @@ template <class P> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& 
       // where p <= o, that is, where p lies before the next number; but the root's far face is
       // closed.
       x.c_down = x.c_up = infinity;
-      if (s.owned && o != hi)
+      if (s.owned && o != s.far_plane[a])
         x.leave_origin =
             o < 0 || o > 0
                 ? __builtin_bit_cast(double, __builtin_bit_cast(std::int64_t, o) + (o > 0 ? 1 : -1))
@@ -95,40 +176,55 @@ template <class P> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& 
     const double to_lo = lo < o ? o - lo : lo - o, to_hi = hi < o ? o - hi : hi - o;
     const double far = (to_lo < to_hi ? to_hi : to_lo) * up[a];
     greatest = far > greatest ? far : greatest;
+    if constexpr (Planes::tabled) {
+      const double blur = s.plane_width[a] * up[a];
+      blurred = blur > blurred ? blur : blurred;
+    }
     least = down[a] < least ? down[a] : least;
   }
   s.from = 0;
   s.to = infinity;
   if (s.first > 0 || s.last < infinity) {
-    const double m = direction[0] == 0 ? 1 : (direction[0] < 0 ? -direction[0] : direction[0]);
+    const double m_down = BetweenPoints ? between.down[0] : magnitude(direction[0]),
+                 m_up = BetweenPoints ? between.up[0] : m_down;
     double down_of, up_of;
     if (s.first > 0) {
-      scaled<P>(down[0], up[0], m, of_parameter, s.first, s.from, up_of);
+      scaled<P>(down[0], up[0], m_down, m_up, of_parameter, s.first, s.from, up_of);
       greatest = up_of > greatest ? up_of : greatest;
     }
     if (s.last == 0) {
       s.to = 0;
     } else if (s.last < infinity) {
-      scaled<P>(down[0], up[0], m, of_parameter, s.last, down_of, s.to);
+      scaled<P>(down[0], up[0], m_down, m_up, of_parameter, s.last, down_of, s.to);
       greatest = s.to > greatest ? s.to : greatest;
     }
     least = down[0] < least ? down[0] : least;
-    least = down[0] * m < least ? down[0] * m : least;
+    least = down[0] * m_down < least ? down[0] * m_down : least;
   }
-  // Each bound is off by three roundings, 2^-50 of it at most, where nothing underflows but the
-  // last product; two bounds make an overlap. 2^-46 of the greatest leaves room for the rounding of
-  // this number and of the overlap. Where a constant may have lost bits, nothing is certain.
-  s.certain = least < 0x1p-900 ? infinity : greatest * 0x1p-46 + 0x1p-1000;
+  // Each bound is off by three roundings, by five where the direction is a difference of points:
+  // 2^-49 of it at most, where nothing underflows but the last product; and by what its plane is
+  // off. Two bounds make an overlap. 2^-46 of the greatest, and twice what two planes add, leave
+  // room for the rounding of this number and of the overlap. Where a constant may have lost bits,
+  // nothing is certain.
+  s.certain = least < 0x1p-900 ? infinity : greatest * 0x1p-46 + blurred * 4 + 0x1p-1000;
 
   s.opened = 0;
   s.at = 0;
   s.head[0] = 0;
   s.tail[0] = 1;
   voxel_rays_entry& root = s.entries[0][0];
-  for (unsigned a = 0; a < 3; ++a)
-    root.lo[a] = s.axes[a].sign * s.root_lo[a];
+  if constexpr (!Planes::tabled)
+    for (unsigned a = 0; a < 3; ++a)
+      root.lo[a] = s.axes[a].sign * s.lo[a];
   root.packed = 0;
   root.node = 0;
+}
+
+template <class P, class Planes> GRAZE_BATCH_INLINE void start_within_scope(voxel_rays_state& s) {
+  if (s.between_points) [[unlikely]]
+    start_line<P, Planes, true>(s);
+  else
+    start_line<P, Planes, false>(s);
 }
 
 /// Each axis of `flip` reversed: bit i of the result is bit i ^ flip of m.
@@ -173,16 +269,16 @@ GRAZE_BATCH_INLINE void open_inner(voxel_rays_state& s, N& test, const corner& a
                                    unsigned limit) {
   unsigned head = s.head[d], tail = 0;
   const unsigned end = s.tail[d];
-  const double size = s.sizes[d];
+  const typename N::planes::level level(s, d);
   const unsigned shift = s.shift[d];
   voxel_rays_entry* const out = s.entries[d + 1];
   for (; head != end && tail + 64 <= limit; ++head) {
     const voxel_rays_entry& e = s.entries[d][head];
     const std::uint64_t occupied = s.masks[e.node];
     const std::uint32_t first = s.firsts[e.node];
-    test.open(e.lo, size);
+    test.open(e, level);
     std::uint64_t m = reversed(test.mask() & occupied, s.flip);
-    const double x = e.lo[0], y = e.lo[1], z = e.lo[2];
+    [[maybe_unused]] const double x = e.lo[0], y = e.lo[1], z = e.lo[2];
     const std::uint64_t packed = e.packed;
     const unsigned count = static_cast<unsigned>(__builtin_popcountll(m));
     // Four at a time, wanted or not: what lies past the tail is overwritten, and the number of
@@ -193,9 +289,11 @@ GRAZE_BATCH_INLINE void open_inner(voxel_rays_state& s, N& test, const corner& a
             (static_cast<unsigned>(__builtin_ctzll(m | std::uint64_t{1} << 63)) ^ s.flip);
         m &= m - 1;
         voxel_rays_entry& c = out[tail + j];
-        c.lo[0] = x + at.x[octant & 3] * size;
-        c.lo[1] = y + at.y[octant >> 2 & 3] * size;
-        c.lo[2] = z + at.z[octant >> 4] * size;
+        if constexpr (!N::planes::tabled) {
+          c.lo[0] = x + at.x[octant & 3] * level.size;
+          c.lo[1] = y + at.y[octant >> 2 & 3] * level.size;
+          c.lo[2] = z + at.z[octant >> 4] * level.size;
+        }
         c.packed = packed + (packed_of(octant) << shift);
         c.node = first + static_cast<unsigned>(
                              __builtin_popcountll(occupied & ((std::uint64_t{1} << octant) - 1)));
@@ -216,11 +314,11 @@ GRAZE_BATCH_INLINE std::size_t open_last(voxel_rays_state& s, N& test, unsigned 
                                          std::size_t found, std::size_t capacity) {
   unsigned head = s.head[d];
   const unsigned end = s.tail[d];
-  const double size = s.sizes[d];
+  const typename N::planes::level level(s, d);
   for (; head != end && (Count || found + 64 <= capacity); ++head) {
     const voxel_rays_entry& e = s.entries[d][head];
     const std::uint64_t occupied = s.masks[e.node];
-    test.open(e.lo, size);
+    test.open(e, level);
     std::uint64_t m = test.mask() & occupied;
     ++s.opened;
     if (Count && !Exact) {
@@ -287,7 +385,7 @@ GRAZE_BATCH_INLINE std::size_t walk(voxel_rays_state& s, voxel* out, std::size_t
 
 template <class P, class N> void start(voxel_rays_state& s) {
   const typename P::scope scope;
-  start_within_scope<P>(s);
+  start_within_scope<P, typename N::planes>(s);
 }
 template <class P, class N>
 std::size_t fill(voxel_rays_state& s, voxel* out, std::size_t capacity) {
@@ -296,7 +394,7 @@ std::size_t fill(voxel_rays_state& s, voxel* out, std::size_t capacity) {
 }
 template <class P, class N> std::uint32_t count(voxel_rays_state& s) {
   const typename P::scope scope;
-  start_within_scope<P>(s);
+  start_within_scope<P, typename N::planes>(s);
   return static_cast<std::uint32_t>(s.exact ? walk<true, true, N>(s, nullptr, 0)
                                             : walk<false, true, N>(s, nullptr, 0));
 }

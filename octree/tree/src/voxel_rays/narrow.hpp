@@ -5,16 +5,22 @@
 namespace graze::octree::detail {
 namespace {
 
-template <class P> class narrow_test {
+template <class P, class Planes> class narrow_test {
   static_assert(P::width <= 4);
 
 public:
+  using planes = Planes;
+
   GRAZE_BATCH_INLINE explicit narrow_test(const voxel_rays_state& s) : from_(s.from), to_(s.to) {
     for (unsigned k = 0; k < 12; ++k) {
       const voxel_rays_axis& a = s.axes[k / 4];
       const bool forward = a.sign > 0;
-      enter_steps_[k] = a.sign * (k % 4 + (forward ? 0 : 1));
-      leave_steps_[k] = a.sign * (k % 4 + (forward ? 1 : 0));
+      if constexpr (Planes::tabled) {
+        enter_steps_[k] = a.sign;
+      } else {
+        enter_steps_[k] = a.sign * (k % 4 + (forward ? 0 : 1));
+        leave_steps_[k] = a.sign * (k % 4 + (forward ? 1 : 0));
+      }
       enter_origin_[k] = a.enter_origin;
       leave_origin_[k] = a.leave_origin;
       c_down_[k] = a.c_down;
@@ -22,19 +28,15 @@ public:
     }
   }
 
-  GRAZE_BATCH_INLINE void open(const double* lo, double size) {
-    using V = typename P::vector;
-    const V zero = P::zero(), h = P::broadcast(size), from = P::broadcast(from_),
-            to = P::broadcast(to_);
+  GRAZE_BATCH_INLINE void open(const voxel_rays_entry& entry, const typename Planes::level& at) {
+    const V zero = P::zero(), from = P::broadcast(from_), to = P::broadcast(to_);
     for (unsigned k = 0; k < 12; k += P::width) {
-      const V corner = P::broadcast(lo[k / 4]), down = P::load(c_down_ + k),
-              up = P::load(c_up_ + k);
-      // planes are exact (root_cube), in any rounding
-      const V p = P::add_up(corner, P::mul_up(P::load(enter_steps_ + k), h));
+      const V down = P::load(c_down_ + k), up = P::load(c_up_ + k);
+      V p, q;
+      planes_at(entry, at, k, p, q);
       const V u = P::sub_down(p, P::load(enter_origin_ + k));
       const V e = P::select(P::less(u, zero), P::mul_down(up, u), P::mul_down(down, u));
       P::store(enter_ + k, P::max_or_second(e, from));
-      const V q = P::add_up(corner, P::mul_up(P::load(leave_steps_ + k), h));
       const V v = P::sub_up(q, P::load(leave_origin_ + k));
       const V l = P::select(P::less(zero, v), P::mul_up(up, v), P::mul_up(down, v));
       P::store(leave_ + k, P::min_or_second(l, to));
@@ -59,9 +61,25 @@ public:
   [[nodiscard]] GRAZE_BATCH_INLINE double leave(unsigned k) const { return leave_[k]; }
 
 private:
+  using V = typename P::vector;
+
+  /// The planes by which slabs k, k + 1, ... are entered and left; exact, in any rounding.
+  GRAZE_BATCH_INLINE void planes_at(const voxel_rays_entry& entry, const typename Planes::level& at,
+                                    unsigned k, V& enter, V& leave) const {
+    const V steps = P::load(enter_steps_ + k);
+    if constexpr (Planes::tabled) {
+      const std::size_t first = at.first(entry, k / 4) + k % 4;
+      enter = P::mul_up(steps, P::load(at.enter[k / 4] + first));
+      leave = P::mul_up(steps, P::load(at.leave[k / 4] + first));
+    } else {
+      const V corner = P::broadcast(entry.lo[k / 4]), h = P::broadcast(at.size);
+      enter = P::add_up(corner, P::mul_up(steps, h));
+      leave = P::add_up(corner, P::mul_up(P::load(leave_steps_ + k), h));
+    }
+  }
+
   /// Bit i + 4 j: slab i of the axis at a and slab j of the axis at b have a common time.
   [[nodiscard]] GRAZE_BATCH_INLINE std::uint64_t pairs(unsigned a, unsigned b) const {
-    using V = typename P::vector;
     std::uint64_t m = 0;
     for (unsigned i = 0; i < 4; i += P::width) {
       const V e = P::load(enter_ + a + i), l = P::load(leave_ + a + i);
@@ -79,10 +97,10 @@ private:
 };
 
 /// The node's test of a path.
-template <class P> struct node_test_on {
-  using type = narrow_test<P>;
+template <class P, class Planes> struct node_test_on {
+  using type = narrow_test<P, Planes>;
 };
-template <class P> using node_test = typename node_test_on<P>::type;
+template <class P, class Planes> using node_test = typename node_test_on<P, Planes>::type;
 
 } // namespace
 } // namespace graze::octree::detail

@@ -7,11 +7,13 @@
 namespace graze::octree::detail {
 namespace {
 
-class registers_test {
+template <class Planes> class registers_test {
   using P = batch::avx512;
   using V = P::vector;
 
 public:
+  using planes = Planes;
+
   GRAZE_BATCH_INLINE explicit registers_test(const voxel_rays_state& s)
       : from_(P::broadcast(s.from)), to_(P::broadcast(s.to)),
         z_from_(P::select(0xf0, P::broadcast(-s.to), from_)) {
@@ -24,27 +26,42 @@ public:
     const V xy_enter = P::add_up(slab, P::select(xy_back, one, none));
     const V xy_leave = P::add_up(slab, P::select(xy_back, none, one));
     const V z_plane = P::add_up(slab, P::select(static_cast<P::mask>(z_back ^ 0xf0), one, none));
-    enter_steps_ = P::mul_up(xy_sign, xy_enter);
-    leave_steps_ = P::mul_up(xy_sign, xy_leave);
+    if constexpr (Planes::tabled) {
+      enter_steps_ = _mm512_and_pd(xy_sign, P::broadcast(-0.0));
+    } else {
+      enter_steps_ = P::mul_up(xy_sign, xy_enter);
+      leave_steps_ = P::mul_up(xy_sign, xy_leave);
+    }
     enter_origin_ = two(x.enter_origin, y.enter_origin);
     leave_origin_ = two(x.leave_origin, y.leave_origin);
     down_ = two(x.c_down, y.c_down);
     up_ = two(x.c_up, y.c_up);
     // leaves are negated, so that both halves are rounded down: uppb(p, q) = -lowb(q, p)
     half_ = _mm512_setr_pd(1, 1, 1, 1, -1, -1, -1, -1);
-    z_steps_ = P::mul_up(P::mul_up(z_sign, z_plane), half_);
+    if constexpr (Planes::tabled)
+      z_steps_ = _mm512_and_pd(P::mul_up(z_sign, half_), P::broadcast(-0.0));
+    else
+      z_steps_ = P::mul_up(P::mul_up(z_sign, z_plane), half_);
     z_origin_ = P::mul_up(two(z.enter_origin, z.leave_origin), half_);
     z_down_ = P::broadcast(z.c_down);
     z_up_ = P::broadcast(z.c_up);
   }
 
-  GRAZE_BATCH_INLINE void open(const double* lo, double size) {
-    const V h = P::broadcast(size), zero = P::zero();
-    const V xy = two(lo[0], lo[1]);
-    const V z = P::mul_up(P::broadcast(lo[2]), half_);
-    // planes are exact (root_cube), in any rounding
-    const V p = _mm512_fmadd_pd(enter_steps_, h, xy), q = _mm512_fmadd_pd(leave_steps_, h, xy),
-            r = _mm512_fmadd_pd(z_steps_, h, z);
+  GRAZE_BATCH_INLINE void open(const voxel_rays_entry& e, const typename Planes::level& at) {
+    const V zero = P::zero();
+    V p, q, r; // planes: exact, in any rounding
+    if constexpr (Planes::tabled) {
+      const std::size_t x = at.first(e, 0), y = at.first(e, 1), z = at.first(e, 2);
+      p = _mm512_xor_pd(enter_steps_, two_fours(at.enter[0] + x, at.enter[1] + y));
+      q = _mm512_xor_pd(enter_steps_, two_fours(at.leave[0] + x, at.leave[1] + y));
+      r = _mm512_xor_pd(z_steps_, two_fours(at.enter[2] + z, at.leave[2] + z));
+    } else {
+      const V h = P::broadcast(at.size), xy = two(e.lo[0], e.lo[1]);
+      const V z = P::mul_up(P::broadcast(e.lo[2]), half_);
+      p = _mm512_fmadd_pd(enter_steps_, h, xy);
+      q = _mm512_fmadd_pd(leave_steps_, h, xy);
+      r = _mm512_fmadd_pd(z_steps_, h, z);
+    }
     const V u = P::sub_down(p, enter_origin_), v = P::sub_up(q, leave_origin_),
             w = P::sub_down(r, z_origin_);
     enter_ = P::max_or_second(
@@ -97,6 +114,10 @@ private:
   static GRAZE_BATCH_INLINE V two(double lower, double upper) {
     return P::select(0xf0, P::broadcast(upper), P::broadcast(lower));
   }
+  static GRAZE_BATCH_INLINE V two_fours(const double* lower, const double* upper) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(lower)),
+                              _mm256_loadu_pd(upper), 1);
+  }
   static GRAZE_BATCH_INLINE unsigned common(V e, V l, V e01, V l01, V e23, V l23) {
     const __mmask8 lower = _mm512_mask_cmp_pd_mask(_mm512_cmp_pd_mask(e, l01, _CMP_LE_OQ), e01, l,
                                                    _CMP_LE_OQ),
@@ -112,8 +133,8 @@ private:
   alignas(64) double kept_enter_[8], kept_leave_[8], kept_z_[8];
 };
 
-template <> struct node_test_on<batch::avx512> {
-  using type = registers_test;
+template <class Planes> struct node_test_on<batch::avx512, Planes> {
+  using type = registers_test<Planes>;
 };
 
 } // namespace

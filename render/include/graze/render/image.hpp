@@ -1,9 +1,8 @@
 #pragma once
-/// Pictures as named channels of floats, and their files. OpenImageIO is behind this header and
-/// nowhere else.
+/// Pictures as named channels of floats, and their files: PNG by libpng, EXR by OpenImageIO in a plug-in.
 #include <cstdint>
 #include <filesystem>
-#include <graze/expected.hpp>
+#include <graze/support/status.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,12 +36,12 @@ expected<file_format> format_of(const std::filesystem::path& file);
 /// The sRGB byte of a linear value (IEC 61966-2-1, rounded to nearest); clamps to [0, 1], NaN is 0.
 std::uint8_t srgb_byte(float linear);
 
+/// Loads what the format needs, if that is not done yet; or why it cannot be had. Asked before the work,
+/// and before threads are started. exr: the plug-in graze_exr.so; png: nothing.
+support::status prepare_to_encode(file_format format);
+
 /// The bytes of the file. png: the channels R, G, B as 8-bit sRGB. exr: every channel as a 32-bit
 /// float, lossless. The same picture gives the same bytes: no date is written.
 expected<std::vector<unsigned char>> encode(const picture& image, file_format format);
-
-/// Reads a file back: exr as it was written, png as R, G, B in [0, 1] without undoing the sRGB
-/// curve.
-expected<picture> read_picture(const std::filesystem::path& file);
 
 } // namespace graze::render

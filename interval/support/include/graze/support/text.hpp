@@ -1,7 +1,10 @@
 #pragma once
 /// Texts of others, made fit to be shown: what comes from arguments, files and other programs.
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace graze::support {
 
@@ -15,6 +18,21 @@ std::string shown(std::string_view text, std::size_t most = 200);
 /// A JSON value on one line, whatever bytes its texts hold. Of nlohmann::basic_json.
 template <class Json> std::string json_line(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The whole number that a JSON value is, where Integer holds it; nothing for any other value. A JSON
+/// number with a point or an exponent is none, and neither is one that Integer does not hold: a
+/// conversion of these is undefined. Of nlohmann::basic_json.
+template <class Integer, class Json> std::optional<Integer> whole_number(const Json& value) {
+  if (value.is_number_unsigned()) {
+    const auto x = value.template get<std::uint64_t>();
+    return std::in_range<Integer>(x) ? std::optional(static_cast<Integer>(x)) : std::nullopt;
+  }
+  if (value.is_number_integer()) {
+    const auto x = value.template get<std::int64_t>();
+    return std::in_range<Integer>(x) ? std::optional(static_cast<Integer>(x)) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 /// 32 hex digits in lower case: the name of a content.

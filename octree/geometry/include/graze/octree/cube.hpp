@@ -116,7 +116,7 @@ inline expected<root_cube> root_cube::make(const cube& box, int level) {
   }
   if (grid < -1074 || largest > std::ldexp(1.0, std::min(grid + 53, 1023)))
     return unexpected{"octants of this root are not exact doubles at level " +
-                      std::to_string(level)};
+                      std::to_string(level) + ": use graze::octree::grid"};
   return root_cube(box, level);
 }
 

@@ -2,9 +2,8 @@
 /// A segment of a ray, and exact decisions about it.
 #include <graze/needs_cxx20.hpp>
 
-#include <array>
 #include <cmath>
-#include <cstdint>
+#include <graze/octree/exact_sum.hpp>
 #include <graze/octree/exact_touch.hpp>
 #include <limits>
 
@@ -37,74 +36,6 @@ private:
 };
 
 namespace detail {
-/// The sign of a sum of products of finite doubles, exact and in any rounding mode: a fixed-point
-/// number as wide as all of them. For the few decisions that no filter makes.
-class exact_sum {
-public:
-  void add_product(double x, double y) {
-    if (x == 0 || y == 0)
-      return;
-    const parts a(x), b(y);
-    const wide m = static_cast<wide>(a.significand) * b.significand;
-    const unsigned shift = static_cast<unsigned>(a.exponent + b.exponent), bit = shift % 64;
-    std::size_t i = shift / 64;
-    const std::array<std::uint64_t, 3> words{
-        static_cast<std::uint64_t>(m << bit),
-        static_cast<std::uint64_t>(bit == 0 ? m >> 64 : m >> (64 - bit)),
-        bit == 0 ? 0 : static_cast<std::uint64_t>((m >> 64) >> (64 - bit))};
-    if (a.negative != b.negative) {
-      unsigned char borrow = 0;
-      for (std::size_t k = 0; i < word_.size(); ++i, ++k) {
-        const std::uint64_t w = k < 3 ? words[k] : 0;
-        const std::uint64_t before = word_[i];
-        word_[i] = before - w - borrow;
-        borrow = before < w || (before == w && borrow != 0);
-        if (k >= 2 && borrow == 0)
-          break;
-      }
-    } else {
-      unsigned char carry = 0;
-      for (std::size_t k = 0; i < word_.size(); ++i, ++k) {
-        const std::uint64_t w = k < 3 ? words[k] : 0;
-        const std::uint64_t sum = word_[i] + w;
-        const bool first_carry = sum < w;
-        word_[i] = sum + carry;
-        carry = first_carry || word_[i] < sum;
-        if (k >= 2 && carry == 0)
-          break;
-      }
-    }
-  }
-  void add(double x) { add_product(x, 1); }
-
-  [[nodiscard]] int sign() const {
-    if (word_.back() >> 63 != 0)
-      return -1;
-    for (const std::uint64_t w : word_)
-      if (w != 0)
-        return 1;
-    return 0;
-  }
-
-private:
-  __extension__ using wide = unsigned __int128;
-  struct parts {
-    std::uint64_t significand;
-    int exponent; ///< of the lowest bit, in units of 2^-1074
-    bool negative;
-    explicit parts(double x) {
-      const auto b = __builtin_bit_cast(std::uint64_t, x);
-      const int e = static_cast<int>(b >> 52 & 0x7ff);
-      significand = (b & 0xf'ffff'ffff'ffff) | (e == 0 ? 0 : std::uint64_t{1} << 52);
-      exponent = e == 0 ? 0 : e - 1;
-      negative = b >> 63 != 0;
-    }
-  };
-  /// Two's complement, in units of 2^-2148: products end below 2^(2 * 2098), 67 words hold 2^70 of
-  /// them.
-  std::array<std::uint64_t, 67> word_{};
-};
-
 /// The sign of o + t d - p; exact, for all finite operands.
 inline int side_at(double o, double d, double t, double p) {
   exact_sum s;

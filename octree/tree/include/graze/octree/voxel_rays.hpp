@@ -7,18 +7,21 @@
 /// loops are compiled in the library and fill a buffer: a call through a pointer for a buffer, none
 /// for a voxel, and callbacks run in the caller's own rounding mode.
 ///
-/// A voxel is reported if the ray {o + t d : t >= 0}, or its segment,
+/// A voxel is reported if the ray {o + t d : t >= 0}, its segment, or the segment between two points
 ///   conservative, closed   may touch the closed voxel: never one too few, rarely one too many;
 ///   conservative, owned    may have a point in the half-open voxel: likewise;
 ///   exact, closed          touches the closed voxel: never one too few, never one too many;
-///   exact, owned           has a point in the half-open voxel (at the root's far faces closed).
+///   exact, owned           has a point in the half-open voxel (at the far faces of the root or grid
+///                          closed, and where a grid is flat).
+/// When it is in a voxel, by which face it enters, and on what length: exact_line.hpp, asked of
+/// voxel_set::cell; a walk does not pay for it.
 /// Owned voxels come front to back. Closed ones come in the order of their indices, each axis taken
 /// in the direction of the ray, node by node; that is front to back but for those touched in
 /// common.
 #include <graze/needs_cxx20.hpp>
 
 #include <cstddef>
-#include <graze/octree/ray_segment.hpp>
+#include <graze/octree/exact_line.hpp>
 #include <graze/octree/voxel_rays_state.hpp>
 #include <graze/octree/voxel_set.hpp>
 #include <iterator>
@@ -28,16 +31,58 @@
 namespace graze::octree {
 
 namespace detail {
-/// The kernels of the path in use.
-const voxel_rays_table& voxel_rays_kernels();
+/// The kernels of the path in use, for the planes of this set.
+const voxel_rays_walk& voxel_rays_kernels(const voxel_set& set);
 /// Sets what depends on the set, and what is asked.
 void prepare(voxel_rays_state& s, const voxel_set& set, convention rule, exactness certainty,
              const ray_segment& segment, bool soonest);
-inline void set_ray(voxel_rays_state& s, const ray& r) {
+inline void set_line(voxel_rays_state& s, const ray& r) {
   for (unsigned a = 0; a < 3; ++a) {
     s.origin[a] = r.origin()[a];
     s.direction[a] = r.direction()[a];
   }
+}
+inline void set_line(voxel_rays_state& s, const segment& between) {
+  for (unsigned a = 0; a < 3; ++a) {
+    s.origin[a] = between.from()[a];
+    s.direction[a] = between.to()[a];
+  }
+  s.between_points = true;
+  s.first = 0;
+  s.last = 1;
+}
+
+template <class Line>
+std::uint64_t count_voxels(const voxel_set& set, std::span<const Line> lines, convention rule,
+                           exactness certainty, std::span<std::uint32_t> counts,
+                           const ray_segment& part) {
+  const voxel_rays_walk& kernels = voxel_rays_kernels(set);
+  voxel_rays_state state;
+  prepare(state, set, rule, certainty, part, false);
+  std::uint64_t opened = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    set_line(state, lines[i]);
+    counts[i] = kernels.count(state);
+    opened += state.opened;
+  }
+  return opened;
+}
+template <class Line, class Visit>
+std::uint64_t visit_voxels(const voxel_set& set, std::span<const Line> lines, convention rule,
+                           exactness certainty, const ray_segment& part, Visit&& visit) {
+  const voxel_rays_walk& kernels = voxel_rays_kernels(set);
+  std::array<voxel, 128> found;
+  voxel_rays_state state;
+  prepare(state, set, rule, certainty, part, false);
+  std::uint64_t opened = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    set_line(state, lines[i]);
+    kernels.start(state);
+    while (const std::size_t n = kernels.fill(state, found.data(), found.size()))
+      visit(i, std::span<const voxel>(found.data(), n));
+    opened += state.opened;
+  }
+  return opened;
 }
 } // namespace detail
 
@@ -49,9 +94,17 @@ public:
   voxel_walk(const voxel_set& set, const ray& r, convention rule = convention::owned,
              exactness certainty = exactness::exact, const ray_segment& segment = {},
              bool soonest = false)
-      : kernels_(&detail::voxel_rays_kernels()) {
+      : kernels_(&detail::voxel_rays_kernels(set)) {
     detail::prepare(state_, set, rule, certainty, segment, soonest);
-    detail::set_ray(state_, r);
+    detail::set_line(state_, r);
+    kernels_->start(state_);
+  }
+  /// From one point to another.
+  voxel_walk(const voxel_set& set, const segment& between, convention rule = convention::owned,
+             exactness certainty = exactness::exact, bool soonest = false)
+      : kernels_(&detail::voxel_rays_kernels(set)) {
+    detail::prepare(state_, set, rule, certainty, {}, soonest);
+    detail::set_line(state_, between);
     kernels_->start(state_);
   }
   voxel_walk(const voxel_walk&) = delete;
@@ -94,11 +147,26 @@ private:
     held_ = next(buffer_);
     at_ = 0;
   }
-  const detail::voxel_rays_table* kernels_;
+  const detail::voxel_rays_walk* kernels_;
   detail::voxel_rays_state state_;
   std::size_t held_ = 0, at_ = 0;
   std::array<voxel, 128> buffer_;
 };
+
+namespace detail {
+template <class Visit> bool visit_all(voxel_walk& walk, Visit& visit) {
+  std::array<voxel, 128> found;
+  while (const std::size_t n = walk.next(found))
+    for (std::size_t i = 0; i < n; ++i)
+      if (visit(found[i]))
+        return true;
+  return false;
+}
+inline std::optional<voxel> first_of(voxel_walk& walk) {
+  std::array<voxel, 64> found; // one node's: the walk ends with the first that has any
+  return walk.next(found) != 0 ? std::optional(found[0]) : std::nullopt;
+}
+} // namespace detail
 
 /// Calls visit(voxel) for each occupied voxel on the ray; stops when visit returns true, and then
 /// returns true.
@@ -106,12 +174,14 @@ template <class Visit>
 bool visit_voxels(const voxel_set& set, const ray& r, convention rule, exactness certainty,
                   const ray_segment& segment, Visit&& visit) {
   voxel_walk walk(set, r, rule, certainty, segment);
-  std::array<voxel, 128> found;
-  while (const std::size_t n = walk.next(found))
-    for (std::size_t i = 0; i < n; ++i)
-      if (visit(found[i]))
-        return true;
-  return false;
+  return detail::visit_all(walk, visit);
+}
+/// On a segment between points.
+template <class Visit>
+bool visit_voxels(const voxel_set& set, const segment& between, convention rule,
+                  exactness certainty, Visit&& visit) {
+  voxel_walk walk(set, between, rule, certainty);
+  return detail::visit_all(walk, visit);
 }
 
 /// The first occupied voxel that owns a point of the ray's segment (`exact`), or the first that may
@@ -120,8 +190,12 @@ bool visit_voxels(const voxel_set& set, const ray& r, convention rule, exactness
                                                       exactness certainty = exactness::exact,
                                                       const ray_segment& segment = {}) {
   voxel_walk walk(set, r, convention::owned, certainty, segment, true);
-  std::array<voxel, 64> found; // one node's: the walk ends with the first that has any
-  return walk.next(found) != 0 ? std::optional(found[0]) : std::nullopt;
+  return detail::first_of(walk);
+}
+[[nodiscard]] inline std::optional<voxel> first_voxel(const voxel_set& set, const segment& between,
+                                                      exactness certainty = exactness::exact) {
+  voxel_walk walk(set, between, convention::owned, certainty, true);
+  return detail::first_of(walk);
 }
 
 /// The number of occupied voxels on each ray, into counts (as many as rays). Returns the number of
@@ -129,16 +203,13 @@ bool visit_voxels(const voxel_set& set, const ray& r, convention rule, exactness
 inline std::uint64_t count_voxels(const voxel_set& set, std::span<const ray> rays, convention rule,
                                   exactness certainty, std::span<std::uint32_t> counts,
                                   const ray_segment& segment = {}) {
-  const detail::voxel_rays_table& kernels = detail::voxel_rays_kernels();
-  detail::voxel_rays_state state;
-  detail::prepare(state, set, rule, certainty, segment, false);
-  std::uint64_t opened = 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    detail::set_ray(state, rays[i]);
-    counts[i] = kernels.count(state);
-    opened += state.opened;
-  }
-  return opened;
+  return detail::count_voxels(set, rays, rule, certainty, counts, segment);
+}
+/// On segments between points.
+inline std::uint64_t count_voxels(const voxel_set& set, std::span<const segment> segments,
+                                  convention rule, exactness certainty,
+                                  std::span<std::uint32_t> counts) {
+  return detail::count_voxels(set, segments, rule, certainty, counts, {});
 }
 
 /// Calls visit(i, voxels) for each ray i with spans of its occupied voxels, in order: none, one or
@@ -146,19 +217,13 @@ inline std::uint64_t count_voxels(const voxel_set& set, std::span<const ray> ray
 template <class Visit>
 std::uint64_t visit_voxels(const voxel_set& set, std::span<const ray> rays, convention rule,
                            exactness certainty, const ray_segment& segment, Visit&& visit) {
-  const detail::voxel_rays_table& kernels = detail::voxel_rays_kernels();
-  std::array<voxel, 128> found;
-  detail::voxel_rays_state state;
-  detail::prepare(state, set, rule, certainty, segment, false);
-  std::uint64_t opened = 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    detail::set_ray(state, rays[i]);
-    kernels.start(state);
-    while (const std::size_t n = kernels.fill(state, found.data(), found.size()))
-      visit(i, std::span<const voxel>(found.data(), n));
-    opened += state.opened;
-  }
-  return opened;
+  return detail::visit_voxels(set, rays, rule, certainty, segment, visit);
+}
+/// On segments between points.
+template <class Visit>
+std::uint64_t visit_voxels(const voxel_set& set, std::span<const segment> segments, convention rule,
+                           exactness certainty, Visit&& visit) {
+  return detail::visit_voxels(set, segments, rule, certainty, {}, visit);
 }
 
 } // namespace graze::octree

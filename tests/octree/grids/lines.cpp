@@ -1,0 +1,155 @@
+// Lines and cells between planes of any kind, judged in rational numbers: touches, crosses, owns,
+// and passages.
+#include "../../support/test_inputs.hpp"
+#include "hard_grids.hpp"
+#include <catch2/catch.hpp>
+
+using namespace graze;
+using namespace graze::grid_tests;
+namespace rational = graze::oracle::rational;
+
+namespace {
+
+rational::cell cell_of(const hard_grid& g, const std::array<std::uint32_t, 3>& index) {
+  rational::cell c;
+  for (unsigned a = 0; a < 3; ++a) {
+    c.lower[a] = g.plane(a, index[a]);
+    c.upper[a] = g.plane(a, g.planes.flat(static_cast<int>(a)) ? 0 : index[a] + 1);
+  }
+  return c;
+}
+
+/// Bits of the axes on which it is flat.
+unsigned flat_axes(const rational::cell& c) {
+  unsigned flat = 0;
+  for (unsigned a = 0; a < 3; ++a)
+    flat |= c.lower[a] == c.upper[a] ? 1u << a : 0;
+  return flat;
+}
+
+struct tally {
+  std::uint64_t asked = 0, touched = 0, crossed = 0, owned = 0, corners = 0, wide = 0;
+};
+
+/// All that is said of a line and a cell; `far`: upper planes that the half-open cell includes.
+void compare(const exact_line& line, const rational::line& exact, const slabs& cell,
+             rational::cell c, unsigned far, tally& n) {
+  const unsigned flat = flat_axes(c);
+  ++n.asked;
+  const bool touched = rational::meets(exact, c);
+  REQUIRE(line.touches(cell) == touched);
+  c.lower_closed = c.upper_closed = flat;
+  const bool crossed = rational::meets(exact, c);
+  REQUIRE(line.crosses(cell) == crossed);
+  c.lower_closed = 7;
+  c.upper_closed = far | flat;
+  const bool owned = rational::meets(exact, c);
+  REQUIRE(line.owns(cell) == owned);
+  n.touched += touched;
+  n.crossed += crossed;
+  n.owned += owned;
+
+  const auto is = rational::common_part(exact, c);
+  const auto p = line.through(cell);
+  REQUIRE(is.has_value() == p.has_value());
+  if (!p)
+    return;
+  REQUIRE(p->entered == is->entered);
+  REQUIRE(p->left == is->left);
+  n.corners += std::popcount(p->entered) > 1 || std::popcount(p->left) > 1;
+  mpq_class square = 0;
+  for (const mpq_class& d : exact.direction)
+    square += d * d;
+  const mpq_class duration = is->last - is->first;
+  const auto within = [&](const bounds& b, const mpq_class& x, bool squared) {
+    const auto power = [&](double y) {
+      return squared ? mpq_class(mpq_class(y) * mpq_class(y)) : mpq_class(y);
+    };
+    REQUIRE(power(b.lo) <= x);
+    if (b.hi < INFINITY)
+      REQUIRE(x <= power(b.hi));
+    // tight: a point, or two ulps at the most
+    if (b.hi < INFINITY)
+      n.wide += steps_away(b.lo, 1) < b.hi;
+    REQUIRE(b.hi <= steps_away(b.lo, 2));
+  };
+  within(p->enter, is->first, false);
+  within(p->leave, is->last, false);
+  within(p->length, duration * duration * square, true);
+}
+
+} // namespace
+
+TEST_CASE("octree.exact_line: touches, crosses, owns and passages are those of rational numbers",
+          "[mpfr][property]") {
+  tally n;
+  const auto grids = static_cast<std::uint64_t>(test::input_count() / 100);
+  for (std::uint64_t i = 0; i < grids; ++i) {
+    random_stream r(1601, i);
+    const hard_grid g = make_grid(r, 70);
+    const place at = make_place(r, g.planes);
+    for (int k = 0; k < 4; ++k) {
+      const hard_line l = make_line(r, g, at);
+      const exact_line line = l.prepared();
+      const rational::line exact = l.rational();
+      INFO("grid " << i << " (" << name_of(g.planes.rule()) << "), line " << k);
+      for (std::uint32_t x = 0; x < at.extent[0]; ++x)
+        for (std::uint32_t y = 0; y < at.extent[1]; ++y)
+          for (std::uint32_t z = 0; z < at.extent[2]; ++z) {
+            if (at.extent[0] * at.extent[1] * at.extent[2] > 8 && r.coin())
+              continue;
+            const std::array<std::uint32_t, 3> index{at.base[0] + x, at.base[1] + y,
+                                                     at.base[2] + z};
+            unsigned far = 0;
+            for (unsigned a = 0; a < 3; ++a)
+              far |= index[a] + 1 == g.planes.count(static_cast<int>(a)) ? 1u << a : 0;
+            compare(line, exact, g.planes.voxel(index), cell_of(g, index), far, n);
+          }
+    }
+  }
+  CHECK(n.touched > n.asked / 20);
+  CHECK(n.touched > n.owned);
+  CHECK(n.owned > n.crossed);
+  CHECK(n.corners > n.touched / 20);
+}
+
+TEST_CASE("octree.exact_line: boxes of any doubles, flat ones included", "[mpfr][property]") {
+  tally n;
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    random_stream r(1602, i);
+    const hard_grid g = make_grid(r, 5);
+    const place at = make_place(r, g.planes);
+    box b{};
+    rational::cell c;
+    for (unsigned a = 0; a < 3; ++a) {
+      const int axis = static_cast<int>(a);
+      const std::uint32_t k = at.base[a];
+      b.lo[a] = g.planes.lower(axis, k);
+      b.hi[a] = r.one_in(3) ? b.lo[a] : g.planes.upper(axis, k + at.extent[a]);
+      c.lower[a] = mpq_class(b.lo[a]);
+      c.upper[a] = mpq_class(b.hi[a]);
+    }
+    const hard_line l = make_line(r, g, at);
+    INFO("box " << i);
+    compare(l.prepared(), l.rational(), slabs(b), c, 0, n);
+    compare(l.prepared(), l.rational(), slabs(b, 5), c, 5, n);
+  }
+  CHECK(n.touched > 5'000);
+  CHECK(n.crossed > 1'000);
+
+  const ray r = *ray::make({0, 0, 0}, {1, 1, 1});
+  CHECK_FALSE(touches(r, box{{1, 1, 1}, {0, 2, 2}}));
+  CHECK_FALSE(crosses(r, box{{1, 1, 1}, {0, 2, 2}}));
+  CHECK_FALSE(passage_through(r, box{{1, 1, 1}, {0, 2, 2}}));
+  CHECK(crosses(r, box{{1, 1, 1}, {1, 1, 1}})); // a point
+  CHECK(touches(*segment::make({0, 0, 0}, {1, 1, 1}), box{{1, 1, 1}, {2, 2, 2}}));
+  CHECK_FALSE(
+      touches(*segment::make({0, 0, 0}, {1, 1, 0x1.fffffffffffffp-1}), box{{1, 1, 1}, {2, 2, 2}}));
+}
+
+TEST_CASE("octree.segment: refuses ends that are not finite, and a point", "[unit]") {
+  CHECK_FALSE(segment::make({0, 0, NAN}, {1, 1, 1}));
+  CHECK_FALSE(segment::make({0, 0, 0}, {1, INFINITY, 1}));
+  CHECK_FALSE(segment::make({1, 0, 0}, {1, -0.0, 0}));
+  CHECK(segment::make({0, 0, 0}, {0, 0, 0x1p-1074}));
+}
