@@ -376,7 +376,11 @@ trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, in
     break;
   case cell_kind::grid:
     t.grid = scene.grid ? scene.grid : shared_scene<grid_planes>(seed, index / 64, random_grid);
-    lead_through_grid(g, random, t);
+    t.map = scene.map;
+    if (t.map)
+      lead_through_map(g, random, t);
+    else
+      lead_through_grid(g, random, t);
     break;
   case cell_kind::boxes: {
     t.boxes = shared_scene<std::vector<octree::box>>(seed, index / 8, random_boxes);
