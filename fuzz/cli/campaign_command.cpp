@@ -175,7 +175,8 @@ int campaign(campaign_options& options) {
   options.plan.generators = *std::move(generators);
   if (const status may = prepare(options.checks); !may)
     return bad_input(may.reason());
-  if (const status well = take_scene(options.scene, options.plan, options.traversal.external); !well)
+  if (const status well = take_scene(options.scene, options.plan, options.traversal.external);
+      !well)
     return bad_input(well.reason());
   expected<traversal_entry> started = unexpected{std::string()};
   if (options.traversal.external.command.empty()) {
