@@ -147,7 +147,8 @@ public:
     for (unsigned a = 0; a < (of_boxes_ ? 1u : 3u); ++a)
       text_ += std::to_string(place[a]) += ' ';
   }
-  void visit(const cell& c) { visit(c.index); }
+  /// Of a cell; a template, so that visit({x, y, z}) is the one above.
+  template <class Cell> auto visit(const Cell& c) -> decltype(void(c.lo)) { visit(c.index); }
   /// The first cell, where its entry is known in the ray's parameter.
   void first(const cell& c) { visit(c); }
   void first(const cell& c, double t) { visit(c), number(more_, "t", t); }

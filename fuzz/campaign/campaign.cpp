@@ -137,7 +137,8 @@ trial generated(const campaign_plan& plan, std::uint64_t index) {
   const std::uint64_t kinds = plan.generators.size();
   const auto levels = static_cast<std::uint64_t>(std::max(1, plan.last_level - plan.level + 1));
   const int level = plan.level + static_cast<int>(index / kinds % levels);
-  return make_trial(*plan.generators[index % kinds], plan.seed, index, level, plan.scene, plan.tame);
+  return make_trial(*plan.generators[index % kinds], plan.seed, index, level, plan.scene,
+                    plan.tame);
 }
 
 } // namespace

@@ -33,13 +33,15 @@ std::optional<received_ray> received_as(const trial& t, other_ray r) {
 }
 
 /// Whether the answer is right for that ray; nothing where it is none.
-std::optional<bool> is_right_for(const sample& s, other_ray r, promise p) {
+std::optional<bool> is_right_for(const sample& s, other_ray r, promise p, double tolerance) {
   const auto ray = received_as(s.at, r);
   if (!ray)
     return std::nullopt;
   visited answer = s.answer;
   answer.receive(*ray);
-  const verdict v = judge_answer(s.at, answer, p);
+  constexpr double ulp_of_float = 0x1p29; // in those of double
+  const double allowed = r == other_ray::unit_direction ? tolerance : tolerance * ulp_of_float;
+  const verdict v = judge_answer(s.at, answer, p, allowed);
   return v.declined ? std::nullopt : std::optional(v.findings == 0);
 }
 
@@ -72,14 +74,14 @@ std::string_view advice_on(other_ray r) {
   }
 }
 
-std::optional<other_ray> hint_of(std::span<const sample> samples, promise p) {
+std::optional<other_ray> hint_of(std::span<const sample> samples, promise p, double tolerance) {
   std::optional<other_ray> best;
   double greatest = 0;
   for (const auto r :
        {other_ray::as_float, other_ray::unit_direction, other_ray::float_unit_direction}) {
     std::size_t asked = 0, right = 0;
     for (const sample& s : samples) {
-      const auto is_right = s.answer.received() ? std::nullopt : is_right_for(s, r, p);
+      const auto is_right = s.answer.received() ? std::nullopt : is_right_for(s, r, p, tolerance);
       asked += is_right ? 1 : 0;
       right += is_right == true ? 1 : 0;
     }
@@ -90,6 +92,14 @@ std::optional<other_ray> hint_of(std::span<const sample> samples, promise p) {
     }
   }
   return best;
+}
+
+std::optional<other_ray> hint_of(const campaign_plan& plan, const campaign_result& result) {
+  if (result.samples.size() < least_samples)
+    return std::nullopt;
+  const auto under_test = plan.under_test.guarded();
+  return hint_of(result.samples, under_test->promises(),
+                 under_test->tolerance().value_or(usual_tolerance));
 }
 
 } // namespace graze::fuzz

@@ -14,6 +14,9 @@ std::string_view advice_on(other_ray r);
 
 /// The other ray, if at least 8 samples have an answer that says nothing of the ray received and can be
 /// judged on it, and at least 80 % of them are right.
-std::optional<other_ray> hint_of(std::span<const sample> samples, promise p);
+std::optional<other_ray> hint_of(std::span<const sample> samples, promise p,
+                                 double tolerance = usual_tolerance);
+/// The same of a campaign's samples.
+std::optional<other_ray> hint_of(const campaign_plan& plan, const campaign_result& result);
 
 } // namespace graze::fuzz

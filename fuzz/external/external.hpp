@@ -23,6 +23,7 @@ struct external_options {
       false; ///< rays and boxes are rounded to float before they are sent, and judged so
   bool needs_received = false; ///< an answer without the ray that was received is malformed
   bool show_errors = false;    ///< its standard error is ours
+  std::shared_ptr<const voxel_map> map; ///< all trials are of this map: it is told to the command
 };
 
 /// The traversal behind a command; each that is made has a process of its own, started when it is
@@ -47,7 +48,7 @@ received_ray rounded_to_float(const trial& t);
 /// As one word of a shell's command line.
 std::string shell_word(std::string_view text);
 
-/// How a user asks for it: "--command '...' ...".
+/// How a user asks for it: "--command '...' ..."; without cells and segments, which a replay file says.
 std::string spelled(const external_options& options);
 
 } // namespace graze::fuzz

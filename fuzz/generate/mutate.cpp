@@ -68,6 +68,8 @@ void aim(random_stream& random, trial& t) {
 
 /// One number of the grid or of a box; another rule, count or list.
 void change_cells(random_stream& random, trial& t) {
+  if (t.map) // which is of its grid
+    return;
   if (t.grid) {
     grid_planes g = *t.grid;
     const unsigned a = random.below(3);
@@ -179,6 +181,8 @@ void change_block(random_stream& random, trial& t) {
 }
 
 void exchange_axes(random_stream& random, trial& t) {
+  if (t.map)
+    return;
   const unsigned a = random.below(3);
   const unsigned b = (a + 1) % 3;
   std::swap(t.origin[a], t.origin[b]);
@@ -207,6 +211,8 @@ void exchange_axes(random_stream& random, trial& t) {
 }
 
 void scale_scene(random_stream& random, trial& t) {
+  if (t.map)
+    return;
   const int exponent = random.between(-4, 4);
   for (unsigned a = 0; a < 3; ++a) {
     t.origin[a] = std::ldexp(t.origin[a], exponent);

@@ -369,6 +369,29 @@ std::shared_ptr<const T> shared_scene(std::uint64_t seed, std::uint64_t number, 
   return known.scene;
 }
 
+/// As an owner has them: no edge is 2^20 times another, no box as far from the others.
+std::vector<octree::box> tame_boxes(random_stream& random) {
+  std::vector<octree::box> boxes = random_boxes(random);
+  const octree::box first = boxes.front();
+  double size = 0;
+  for (unsigned a = 0; a < 3; ++a)
+    size = std::max(size, first.hi[a] - first.lo[a]);
+  const double most = size * 0x1p10, least = size * 0x1p-10;
+  std::erase_if(boxes, [&](const octree::box& b) {
+    for (unsigned a = 0; a < 3; ++a) {
+      const double edge = b.hi[a] - b.lo[a];
+      if (edge != 0 && !(least <= edge && edge <= most))
+        return true;
+      if (!(std::fabs(b.lo[a] - first.lo[a]) <= most))
+        return true;
+    }
+    return false;
+  });
+  if (boxes.empty()) // the first is a plate, a needle or a point
+    boxes.push_back(first);
+  return boxes;
+}
+
 } // namespace
 
 trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, int level,
@@ -382,10 +405,16 @@ trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, in
     break;
   case cell_kind::grid:
     t.grid = scene.grid ? scene.grid : shared_scene<grid_planes>(seed, index / 64, random_grid);
-    lead_through_grid(g, random, t);
+    t.map = scene.map;
+    if (t.map)
+      lead_through_map(g, random, t);
+    else
+      lead_through_grid(g, random, t);
     break;
   case cell_kind::boxes: {
-    t.boxes = shared_scene<std::vector<octree::box>>(seed, index / 8, random_boxes);
+    constexpr std::uint64_t tame_ones = std::uint64_t{1} << 62;
+    t.boxes = shared_scene<std::vector<octree::box>>(seed, index / 8 + (tame ? tame_ones : 0),
+                                                     tame ? tame_boxes : random_boxes);
     trial led;
     led.grid = planes_of(random, *t.boxes);
     lead_through_grid(g, random, led);

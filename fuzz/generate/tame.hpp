@@ -8,6 +8,7 @@
 /// - the components of its direction are 0, or normal and within 2^40 of each other, the largest between
 ///   2^-40 and 2^40 (times the root's size, where that brings them further apart); of a segment they are
 ///   those of end - origin.
+/// Boxes that a campaign of tame rays makes have edges within 2^20 of each other, or flat (scenes.cpp).
 #include <cstdint>
 #include <trial/trial.hpp>
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <campaign/hint.hpp>
 #include <chrono>
+#include <external/maps.hpp>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
@@ -99,6 +100,11 @@ std::string kinds_of(const campaign_result& result) {
 namespace {
 
 std::string spelled(const trial& t) {
+  if (t.map)
+    return fmt::format(
+        "  origin    {}\n  direction {}\n  voxels    {} of the {} x {} x {} from [{}, {}, {}] on\n",
+        spelled(t.origin), spelled(t.direction), std::popcount(t.all()), t.extent[0], t.extent[1],
+        t.extent[2], t.base[0], t.base[1], t.base[2]);
   std::string text = fmt::format("  origin    {}\n  direction {}\n  octant    {} size {}, level {}",
                                  spelled(t.origin), spelled(t.direction), spelled(t.octant(0).lo),
                                  hex(t.size()), t.level);
@@ -114,6 +120,10 @@ std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
       fmt::format("graze-fuzz run {} --level {}", plan.under_test.asked_for(), plan.level);
   if (plan.last_level != plan.level)
     command += fmt::format("-{}", plan.last_level);
+  if (plan.scene.cells != cell_kind::cube)
+    command += fmt::format(" --cells {}", name_of(plan.scene.cells));
+  if (plan.scene.segments)
+    command += " --segments";
   if (plan.generators.size() != generators().size()) {
     std::string names;
     for (const generator* g : plan.generators)
@@ -124,6 +134,10 @@ std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
     command += fmt::format(" --search {}", name_of(plan.method));
   if (plan.tame)
     command += " --tame";
+  if (plan.scene.map) {
+    const map_file& file = plan.scene.map->file();
+    command += fmt::format(" --scene {}{}", shell_word(file.path), adapter_options(file));
+  }
   return command + fmt::format(" --seed {} --first-ray {} --rays 1", plan.seed, ray);
 }
 
@@ -143,7 +157,7 @@ std::string replay_command(const campaign_plan& plan, const counterexample& c) {
 std::string describe(const campaign_plan& plan, const campaign_result& result,
                      const counterexample& c) {
   std::string text;
-  if (const auto hint = hint_of(result.samples, plan.under_test.guarded()->promises()))
+  if (const auto hint = hint_of(plan, result))
     text += fmt::format("{}\n", advice_on(*hint));
   text +=
       kinds_of(result) + fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
@@ -177,7 +191,7 @@ std::string to_json(const campaign_plan& plan, const campaign_result& result,
   object["first_miss_seconds"] =
       result.first_miss_seconds ? json(*result.first_miss_seconds) : json(nullptr);
   object["interrupted"] = result.interrupted;
-  const auto hint = hint_of(result.samples, plan.under_test.guarded()->promises());
+  const auto hint = hint_of(plan, result);
   object["hint"] = hint ? json(name_of(*hint)) : json(nullptr);
   object["finding"] = c ? json(name_of(c->kind)) : json(nullptr);
   object["counterexample"] = c ? json::parse(to_json_line(c->shrunk)) : json(nullptr);

@@ -19,7 +19,7 @@ struct entry {
   unsigned axis;
 };
 
-/// All numbers of the ray or segment and its cells.
+/// All numbers of the ray or segment and its cells, but those of a map.
 std::vector<entry> numbers_of(const trial& t) {
   std::vector<entry> all;
   for (unsigned a = 0; a < 3; ++a)
@@ -27,6 +27,8 @@ std::vector<entry> numbers_of(const trial& t) {
   for (unsigned a = 0; a < 3; ++a)
     all.push_back(t.end ? entry{(*t.end)[a], role::place, a}
                         : entry{t.direction[a], role::direction, a});
+  if (t.map) // its grid stays
+    return all;
   for (unsigned a = 0; a < 3; ++a) {
     if (t.boxes) {
       for (const octree::box& b : *t.boxes) {
@@ -59,6 +61,8 @@ trial with_numbers(const trial& t, const std::vector<entry>& all) {
   for (double& x : ahead)
     x = next();
   n = t.end ? with_end(n, origin, ahead) : with_ray(n, origin, ahead);
+  if (t.map)
+    return n;
   if (t.boxes) {
     auto boxes = *t.boxes;
     for (unsigned a = 0; a < 3; ++a)
@@ -315,7 +319,7 @@ std::vector<trial> simpler_scenes(const trial& t) {
     offer_fewer_boxes(t, out);
   else
     offer_smaller_block(t, out);
-  if (t.grid)
+  if (t.grid && !t.map)
     offer_smaller_grid(t, out);
   offer_led_again(t, out);
   offer_numbers(t, out);

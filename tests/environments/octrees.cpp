@@ -105,6 +105,89 @@ void ask_voxel_rays(answers& a, batch::path p) {
   batch::unforce_path();
 }
 
+/// Of every rule, and of subnormal planes.
+std::vector<grid> grids(answers& a) {
+  std::vector<grid> made;
+  const auto keep = [&](const expected<grid>& g) {
+    a.says(g ? 1 : 0);
+    if (g)
+      made.push_back(*g);
+  };
+  for (const plane_rule rule : {plane_rule::exact, plane_rule::rounded, plane_rule::multiplied,
+                                plane_rule::added, plane_rule::binary32}) {
+    keep(grid::make({-0.3, 0, 0.1}, {0.1, 0x1.5555555555555p-2, 0}, {7, 5, 1}, rule));
+    keep(grid::make({tiny, -small, 0}, {of_bits(3), small, of_bits(1)}, {6, 9, 4}, rule));
+  }
+  const std::vector<double> planes{-small, 0, tiny, of_bits(5), 0.25, 0.5};
+  keep(grid::make({planes, planes, planes}));
+  for (const grid& g : made)
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::uint32_t k = 0; k <= g.count(axis); ++k)
+        a.value_is(g.lower(axis, k)), a.value_is(g.upper(axis, k));
+  return made;
+}
+
+std::vector<segment> segments() {
+  std::vector<segment> made;
+  for (const ray& r : rays())
+    if (const auto s = segment::make(r.origin(), r.direction()))
+      made.push_back(*s);
+  return made;
+}
+
+template <class T> std::vector<T> every_fifth(const std::vector<T>& all) {
+  std::vector<T> some;
+  for (std::size_t i = 0; i < all.size(); i += 5)
+    some.push_back(all[i]);
+  return some;
+}
+
+void ask_lines(answers& a) {
+  const auto ask = [&](const exact_line& line, const grid& g, std::size_t i) {
+    const slabs cell = g.voxel({static_cast<std::uint32_t>(i) % g.count(0),
+                                static_cast<std::uint32_t>(i / 3) % g.count(1),
+                                static_cast<std::uint32_t>(i / 5) % g.count(2)});
+    a.says((line.touches(cell) ? 1u : 0) | (line.crosses(cell) ? 2u : 0) |
+           (line.owns(cell) ? 4u : 0));
+    if (const auto p = line.through(cell)) {
+      a.says(p->entered | p->left << 8);
+      for (const bounds& b : {p->enter, p->leave, p->length})
+        a.value_is(b.lo), a.value_is(b.hi);
+    }
+  };
+  const std::vector<grid> all = grids(a);
+  const std::vector<ray> lines = every_fifth(rays());
+  const std::vector<segment> between = every_fifth(segments());
+  for (const grid& g : all) {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      ask(lines[i], g, i);
+    for (std::size_t i = 0; i < between.size(); ++i)
+      ask(between[i], g, i);
+  }
+}
+
+void ask_grids(answers& a, batch::path p) {
+  batch::force_path(p);
+  for (const grid& g : grids(a)) {
+    std::vector<std::array<std::uint32_t, 3>> voxels;
+    for (std::uint32_t i = 0; i < 16; ++i)
+      voxels.push_back({i % g.count(0), i * 7 % g.count(1), i % g.count(2)});
+    const auto set = voxel_set::make(g, voxels);
+    const std::vector<ray> all = every_fifth(rays());
+    const std::vector<segment> between = every_fifth(segments());
+    std::vector<std::uint32_t> counts(all.size()), of_segments(between.size());
+    for (const exactness certainty : {exactness::exact, exactness::conservative})
+      for (const convention rule : {convention::owned, convention::closed}) {
+        count_voxels(*set, all, rule, certainty, counts);
+        count_voxels(*set, between, rule, certainty, of_segments);
+        for (const auto* some : {&counts, &of_segments})
+          for (const std::uint32_t n : *some)
+            a.says(n);
+      }
+  }
+  batch::unforce_path();
+}
+
 /// Rays at the surface from outside.
 std::vector<ray> camera() {
   std::vector<ray> r;
@@ -157,6 +240,7 @@ std::vector<row> rows_of_octrees() {
   std::vector<row> r{
       {"ray::make", promise::immune, [](answers& a) { rays(&a); }},
       {"touches, owns", promise::immune, ask_touches},
+      {"grids, exact_line", promise::immune, ask_lines},
       {"descent, sound over upward", promise::immune,
        ask_descent<sound, upward, convention::owned>},
       {"descent, sound over split", promise::immune, ask_descent<sound, split, convention::closed>},
@@ -168,6 +252,8 @@ std::vector<row> rows_of_octrees() {
     if (!batch::refusal(p)) {
       r.push_back({std::string("voxel_rays, ") + batch::name(p), promise::immune,
                    [p](answers& a) { ask_voxel_rays(a, p); }});
+      r.push_back({std::string("voxel_rays over grids, ") + batch::name(p), promise::immune,
+                   [p](answers& a) { ask_grids(a, p); }});
       r.push_back({std::string("certified hits and voxels, ") + batch::name(p), promise::immune,
                    [p](answers& a) { ask_lanes(a, tanglecube{}, p); }});
     }

@@ -299,6 +299,8 @@ TEST_CASE("fuzz.external: answers are read in every spelling, and wrong ones ref
   for (const char* line : {"[[-1,4,6]]", "[[8,4,6]]", "2 4 1e300", "[[18446744073709551615,4,6]]"})
     CHECK(read(line).outside());
   CHECK(read("skip").declined());
+  CHECK(read("skip id 7").declined());
+  CHECK(read("skip 1 2 3").failed() == fault::malformed);
   CHECK(read(R"({"skip":true})").declined());
   const visited ray =
       read(R"({"visited":[],"received":{"origin":[0,"0x1p-1",0],"direction":[1,0,-1]}})");
@@ -369,7 +371,7 @@ TEST_CASE("fuzz.external: a first hit, its distance and face, whether there is o
   CHECK(answered(R"({"first":0,"face":null})", t, first).said().no_face);
   CHECK(answered("0 face none", t, first).said().no_face);
   CHECK(answered("[2,1,0]", t, first).set() == 4u); // of a list the first
-  for (const char* line : {R"({"first":0,"t":null})", "0 t nan", "0 distance inf"})
+  for (const char* line : {R"({"first":0,"t":null})", "0 t nan", "0 distance NaN"})
     CHECK(answered(line, t, first).failed() == fault::not_a_number);
   for (const char* line : {R"({"t":1})", R"({"first":0,"hit":true})", R"({"first":0,"face":"x"})",
                            "0 face up", "0 speed 3", "0 t", R"({"first":[0,0,0]})"})

@@ -166,6 +166,38 @@ TEST_CASE("fuzz.tame: shrinking never leaves the tame range", "[regression]") {
   CHECK(shrunk > 20);
 }
 
+TEST_CASE("fuzz.tame: a zoom into the scene would take the origin far away", "[regression]") {
+  const auto made =
+      entry_of(
+          [](const trial& t) { return t.origin[0] > 0x1p22 * t.size() && (t.base[0] & 7) == 5; },
+          fault::crash)
+          .make();
+  trial t = through({8, 0.25, 0.25}, {-1, 0, 0});
+  t.level = 20;
+  t.base = {(1u << 16) | 5u, 1u << 18, 1u << 18}; // of no ancestor the last bits are 101
+  REQUIRE(judgeable(t));
+  const trial small = shrink(t, *made, finding::crash);
+  CHECK(is_tame(small));
+  CHECK(complexity_of(small) < complexity_of(t));
+  t.origin[0] = 800; // nobody takes this one: it may go anywhere
+  CHECK(shrink(t, *made, finding::crash).level < 10);
+}
+
+TEST_CASE("fuzz.tame: of a kind that tame rays show, a tame ray is told", "[unit]") {
+  campaign_plan plan = plan_of("sound", 10, 4000);
+  plan.under_test = entry_of([](const trial&) { return true; }, fault::none); // reports nothing
+  const campaign_result result = run(plan);
+  unsigned replaced = 0;
+  const auto rays = result.first_rays(finding::gross_miss);
+  for (std::size_t g = 0; g < rays.size(); ++g) {
+    if (!rays[g])
+      continue;
+    CHECK(is_tame(trial_of(plan, *rays[g])));
+    replaced += rays[g] != result.first[g][static_cast<unsigned>(finding::gross_miss)] ? 1 : 0;
+  }
+  CHECK(replaced > 0);
+}
+
 TEST_CASE("fuzz.seams: they lead where most rays with a finding show one", "[unit]") {
   struct shy final : traversal { // leaves out voxels that are not crossed
     [[nodiscard]] std::string_view name() const override { return "shy"; }

@@ -7,9 +7,9 @@ import java.io.*;
 class FirstVoxel {
     static String[] words;
 
-    static double number(int i) {
-        return Double.longBitsToDouble(Long.parseUnsignedLong(words[i], 16));
-    }
+    static double number(int i) { return Double.longBitsToDouble(Long.parseUnsignedLong(words[i], 16)); }
+    static String bits(double x) { return String.format(" %016x", Double.doubleToRawLongBits(x)); }
+    static int whole(int i) { return Integer.parseInt(words[i]); }
 
     /** Where the ray enters the voxel, or NaN. */
     static double enter(int[] voxel) {
@@ -21,9 +21,8 @@ class FirstVoxel {
                 lo = Math.fma(voxel[a], spacing, from);
                 hi = Math.fma(voxel[a] + 1, spacing, from);
             }
-            double near = (lo - o) / d, far = (hi - o) / d;
-            enter = Math.max(enter, Math.min(near, far));
-            leave = Math.min(leave, Math.max(near, far)); // NaN for 0/0, which hits nothing
+            enter = Math.max(enter, Math.min((lo - o) / d, (hi - o) / d)); // NaN for 0/0, which hits nothing
+            leave = Math.min(leave, Math.max((lo - o) / d, (hi - o) / d));
         }
         return enter <= leave ? enter : Double.NaN;
     }
@@ -32,17 +31,13 @@ class FirstVoxel {
         if (!words[2].equals("multiplied") && !words[2].equals("rounded")) return "skip";
         double best = Double.POSITIVE_INFINITY;
         String first = "none";
-        int[] base = new int[3], extent = new int[3];
-        for (int a = 0; a < 3; a++) {
-            base[a] = Integer.parseInt(words[3 + a]);
-            extent[a] = Integer.parseInt(words[6 + a]);
-        }
-        for (int i = 0; i < extent[0] * extent[1] * extent[2]; i++) {
-            int[] v = {base[0] + i % extent[0], base[1] + i / extent[0] % extent[1], base[2] + i / extent[0] / extent[1]};
+        int nx = whole(6), ny = whole(7), nz = whole(8);
+        for (int i = 0; i < nx * ny * nz; i++) {
+            int[] v = {whole(3) + i % nx, whole(4) + i / nx % ny, whole(5) + i / nx / ny};
             double t = enter(v);
             if (t < best) {
                 best = t;
-                first = String.format("%d %d %d t %016x", v[0], v[1], v[2], Double.doubleToRawLongBits(t));
+                first = v[0] + " " + v[1] + " " + v[2] + " t" + bits(t);
             }
         }
         return first;
@@ -50,10 +45,15 @@ class FirstVoxel {
 
     public static void main(String[] unused) throws IOException {
         var in = new BufferedReader(new InputStreamReader(System.in));
-        System.out.println("promise first cells grid numbers bits");
+        System.out.println("promise first cells grid numbers bits echo true");
         for (String line; (line = in.readLine()) != null; ) {
             words = line.split(" ");
-            System.out.println(answer()); // println flushes
+            var said = new StringBuilder(answer());
+            if (line.contains("echo")) { // 16 doubles to be given back, once
+                said.append(" echo");
+                for (int i = words.length - 16; i < words.length; i++) said.append(bits(number(i)));
+            }
+            System.out.println(said); // println flushes
         }
     }
 }

@@ -72,9 +72,11 @@ const libraries = {
     return [{ promise: 'crossed', cells: 'boxes' }, r => {
       const all = r.boxes.map(centreAndHalf);
       if (all.includes(null)) return { skip: true };
-      const ray = new Ray(new Vec3(...r.origin), new Vec3(...r.direction));
+      const direction = new Vec3(...r.direction).normalize(); // as its manual asks
+      const ray = new Ray(new Vec3(...r.origin), direction);
       return { visited: all.flatMap((b, i) =>
-        new BoundingBox(new Vec3(...b.centre), new Vec3(...b.half)).intersectsRay(ray) ? [i] : []) };
+        new BoundingBox(new Vec3(...b.centre), new Vec3(...b.half)).intersectsRay(ray) ? [i] : []),
+               received: { origin: r.origin, direction: [direction.x, direction.y, direction.z] } };
     }];
   },
 };

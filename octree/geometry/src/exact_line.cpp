@@ -119,7 +119,7 @@ exact_line::time exact_line::arrival_at(unsigned axis, const plane_value& p, boo
   double error = size * 0x1p-49 + tiny / speed + tiny;
   if (p.multiple != 0)
     error += ((p.origin < 0 ? -p.origin : p.origin) + offset) * 0x1p-48 / speed;
-  if (!(speed <= 0x1p1023) || !(size <= 0x1p1000))
+  if (!(speed <= 0x1p1023)) // else it may be infinite, and t 0
     error = std::numeric_limits<double>::infinity();
   return {t, error, static_cast<int>(axis), p, 0, upper, true};
 }

@@ -263,6 +263,16 @@ inline hard_line make_line(random_stream& r, const hard_grid& g, const place& at
       if (r.one_in(12)) // the difference is beyond the doubles
         for (unsigned a = 0; a < 3; ++a)
           to[a] = to[a] < origin[a] ? -0x1.fp1023 : 0x1.fp1023;
+      if (r.one_in(12)) { // on one axis alone, with the target half-way
+        for (unsigned a = 0; a < 3; ++a) {
+          const double away = g.unit * near_one(r);
+          origin[a] = target[a] - away;
+          to[a] = target[a] + away;
+        }
+        const unsigned a = r.below(3);
+        origin[a] = r.coin() ? -0x1.8p1023 : 0x1.8p1023;
+        to[a] = -origin[a];
+      }
       if (const auto s = segment::make(origin, to))
         return {*s, {}};
       continue;

@@ -3,6 +3,7 @@
 #include "../../support/test_inputs.hpp"
 #include "hard_grids.hpp"
 #include <catch2/catch.hpp>
+#include <graze/rounding/hardware.hpp>
 
 using namespace graze;
 using namespace graze::grid_tests;
@@ -145,6 +146,47 @@ TEST_CASE("octree.exact_line: boxes of any doubles, flat ones included", "[mpfr]
   CHECK(touches(*segment::make({0, 0, 0}, {1, 1, 1}), box{{1, 1, 1}, {2, 2, 2}}));
   CHECK_FALSE(
       touches(*segment::make({0, 0, 0}, {1, 1, 0x1.fffffffffffffp-1}), box{{1, 1, 1}, {2, 2, 2}}));
+}
+
+TEST_CASE("octree.exact_line: comparisons of arrivals that differ by ulps, in every mode",
+          "[mpfr][hardcase]") {
+  // a box of which the ray leaves one axis about when it enters another: full significands, so that
+  // all operations round
+  std::uint64_t touched = 0, all = 0;
+  using rounding::hardware::mode;
+  for (const mode m : {mode::nearest, mode::down, mode::up})
+    for (std::uint64_t i = 0; i < 60'000; ++i) {
+      random_stream r(1603, i);
+      vec3 o, d;
+      for (unsigned a = 0; a < 3; ++a) {
+        o[a] = r.sign() * near_one(r);
+        d[a] = near_one(r) * (a == 2 ? 0x1p-20 : 1);
+      }
+      const double x = o[0] + near_one(r), t = (x - o[0]) / d[0];
+      const double y = steps_away(o[1] + t * d[1], r.between(-2, 2));
+      box b{{-4, y, -4}, {x, 8, 4}};
+      rational::cell c;
+      for (unsigned a = 0; a < 3; ++a) {
+        c.lower[a] = mpq_class(b.lo[a]);
+        c.upper[a] = mpq_class(b.hi[a]);
+      }
+      const bool is = rational::meets(rational::ray_from(o, d), c);
+      const bool as_segment = rational::meets(rational::between(o, d), c);
+      const ray line = *ray::make(o, d);
+      const segment between = *segment::make(o, d);
+      bool found = false, found_between = false;
+      {
+        const rounding::hardware::mode_scope scope(m);
+        found = touches(line, b);
+        found_between = touches(between, b);
+      }
+      REQUIRE(found == is);
+      REQUIRE(found_between == as_segment);
+      touched += is;
+      ++all;
+    }
+  CHECK(touched > all / 5);
+  CHECK(touched < all - all / 5);
 }
 
 TEST_CASE("octree.segment: refuses ends that are not finite, and a point", "[unit]") {

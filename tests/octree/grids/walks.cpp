@@ -1,5 +1,5 @@
-// Rays and segments through voxel sets over grids, judged in rational numbers: both conventions, both
-// modes, all paths.
+// Rays and segments through voxel sets over grids, judged in rational numbers: both conventions,
+// both modes, all paths.
 #include "../../support/paths.hpp"
 #include "../../support/test_inputs.hpp"
 #include "hard_grids.hpp"
@@ -234,6 +234,7 @@ TEST_CASE("octree.voxel_rays: a grid of the most voxels on an axis, and one of o
   const double far = g.lower(0, most);
   on_each_path([&](batch::path) {
     CHECK(first_voxel(set, *segment::make({far, 0.25, 0}, {-1, 0.25, 0}))->index(0) == most - 1);
+    CHECK(first_voxel(set, *ray::make({far - 0.05, 0.25, 0}, {1, 0, 0}))->index(0) == most - 1);
     CHECK(first_voxel(set, *ray::make({-1, 0.05, 0}, {1, 0, 0}))->index(0) == 0);
     CHECK_FALSE(first_voxel(set, *ray::make({-1, 0.15, 0}, {1, 0, 0})));
     CHECK_FALSE(first_voxel(set, *ray::make({-1, 0.05, 0x1p-1074}, {1, 0, 0})));

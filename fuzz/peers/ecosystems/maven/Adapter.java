@@ -104,7 +104,7 @@ class Adapter {
 
     static String commons() {
         if (anyFlat()) return "skip";
-        var precision = Precision.doubleEquivalenceOfEpsilon(1e-15);
+        var precision = Precision.doubleEquivalenceOfEpsilon(1e-10);
         try {
             var ray = Lines3D.rayFromPointAndDirection(Vector3D.of(o), Vector3D.of(d), precision);
             return listed(i -> Parallelepiped.axisAligned(Vector3D.of(lo[i]), Vector3D.of(hi[i]), precision)

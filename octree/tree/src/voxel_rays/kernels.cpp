@@ -7,11 +7,12 @@ namespace graze::octree::detail {
 using batch::this_path;
 
 namespace {
-template <class Planes> constexpr voxel_rays_walk walk_through() {
-  using test = node_test<this_path, Planes>;
-  return {start<this_path, test>, fill<this_path, test>, count<this_path, test>};
-}
+template <class Planes> using test = node_test<this_path, Planes>;
+template <class Planes>
+constexpr voxel_rays_walk walk_through{
+    begin<this_path, test<Planes>>, fill<this_path, test<Planes>>, count<this_path, test<Planes>>};
 } // namespace
-constinit const voxel_rays_table GRAZE_ON_PATH(voxel_rays){walk_through<computed_planes>(),
-                                                           walk_through<tabled_planes>()};
+
+constinit const voxel_rays_table GRAZE_ON_PATH(voxel_rays){walk_through<computed_planes>,
+                                                           walk_through<tabled_planes>};
 } // namespace graze::octree::detail

@@ -4,8 +4,8 @@
 ///
 /// On each axis along which it moves, the line is between two planes from its arrival at one to its
 /// arrival at the other; with the line's own first and last t these are four intervals of t, and
-/// they have a common point if and only if any two have (Helly in one dimension). Each comparison is
-/// the sign of a sum of products (exact_sum.hpp), unless doubles with error bounds decide it.
+/// they have a common point if and only if any two have (Helly in one dimension). Each comparison
+/// is the sign of a sum of products (exact_sum.hpp), unless doubles with error bounds decide it.
 /// Compiled, for the same answers in every rounding mode, where numbers are flushed, and by every
 /// compiler. exact_touch.hpp is faster for a ray and octants.
 #include <graze/needs_cxx20.hpp>
