@@ -30,6 +30,9 @@ int list() {
   for (const auto* entries : {&adapters(), &linked_traversals(), &libraries})
     for (const traversal_entry& e : *entries)
       print("  {:<31} {}\n", e.name, e.summary);
+  print("references, by rationals, and textbooks' methods in double, for any cells and segments\n");
+  for (const traversal_entry& e : rational_references())
+    print("  {:<31} {}\n", e.name, e.summary);
   print("traversals that are wrong on purpose\n");
   for (const traversal_entry& e : mutants())
     print("  {:<31} {}\n", e.name, e.summary);

@@ -63,7 +63,10 @@ struct exact_entry {
         unit = std::max(unit, (o + p) / d);
     }
     unit = std::max(unit, (largest_origin + largest_point) / largest_speed) * 0x1p-52;
+    unit = std::max(unit, least);
   }
+
+  static constexpr double least = 0x1p-1074; ///< the ulp of what is subnormal
 
   rational::line line;
   rational::box cell;
@@ -90,7 +93,7 @@ bool right_distance(const exact_entry& e, double said, double tolerance) {
   const mpf_class exact = mpf_class(e.at, bits) * speed;
   if (!std::isfinite(said))
     return said > 0 && exact > most;
-  const double allowed = tolerance * e.unit * speed.get_d();
+  const double allowed = tolerance * std::max(e.unit * speed.get_d(), exact_entry::least);
   const mpf_class off = mpf_class(said, bits) - exact;
   return !std::isfinite(allowed) || abs(off) <= mpf_class(allowed, bits);
 }

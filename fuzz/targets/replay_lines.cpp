@@ -1,6 +1,6 @@
 /// Replay lines: what is read is a legal trial, and is written so that it reads back.
 #include "target.hpp"
-#include <generate/generators.hpp>
+#include <generate/scenes.hpp>
 #include <trial/replay_line.hpp>
 
 using namespace graze::fuzz;
@@ -24,5 +24,9 @@ std::vector<std::string> target::seeds() {
       R"({"origin":[0,0,0],"direction":[1,0,0],"octant":7})", "{}", "[", "null"};
   for (const generator& g : generators())
     all.push_back(to_json_line(make_trial(g, 62, 0, 10)));
+  for (std::uint64_t k = 0; k < 12; ++k)
+    for (const cell_kind cells : {cell_kind::cube, cell_kind::grid, cell_kind::boxes})
+      all.push_back(
+          to_json_line(make_trial(generators()[k], 63, 64 * k, 10, {cells, k % 2 == 0, nullptr})));
   return all;
 }

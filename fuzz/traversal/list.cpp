@@ -67,7 +67,8 @@ const std::vector<traversal_entry>& traversals() {
 }
 
 const traversal_entry* find_traversal(std::string_view name) {
-  for (const auto* list : {&traversals(), &adapters(), &linked_traversals(), &mutants()})
+  for (const auto* list :
+       {&traversals(), &adapters(), &rational_references(), &linked_traversals(), &mutants()})
     for (const traversal_entry& entry : *list)
       if (entry.name == name)
         return &entry;

@@ -34,8 +34,8 @@ std::vector<traversal_entry> lane_traversals();
 /// Those of voxel sets over grids, and of boxes; traversals() has them.
 std::vector<traversal_entry> grid_traversals();
 /// The rational reference for each promise, and textbook methods in double, for any cells; adapters() has
-/// them. References that are wrong on purpose; mutants() has them.
-std::vector<traversal_entry> rational_references();
+/// the first. References that are wrong on purpose; mutants() has them.
+const std::vector<traversal_entry>& rational_references();
 std::vector<traversal_entry> wrong_references();
 /// The traversals that are wrong on purpose: the harness is tested with them.
 const std::vector<traversal_entry>& mutants();

@@ -246,6 +246,27 @@ TEST_CASE("fuzz.first: t, distance and face against the exact entry", "[unit]") 
   CHECK(found(s, answer, promise::first) == bit(finding::distance));
 }
 
+TEST_CASE("fuzz.first: entries beyond the doubles at either end are not accused", "[unit]") {
+  const auto told = [](const trial& t, double when, double distance) {
+    visited answer = seen({0});
+    answer.said().t = when;
+    answer.said().distance = distance;
+    return found(t, answer, promise::first);
+  };
+  // t = 2^-2074: 0 is as good as any
+  CHECK(told(of_boxes({{{0x1p-1074, -1, -1}, {1, 1, 1}}}, {0, 0, 0}, {0x1p1000, 0, 0}), 0,
+             0x1p-1074) == 0);
+  // a distance of 2^-1074 at t = 1/3
+  trial small = of_boxes({{{0, -1, -1}, {1, 1, 1}}}, {-0x1p-1074, 0, 0}, {1, 0, 0});
+  small = with_end(small, {-0x1p-1074, 0, 0}, {0x1p-1073, 0, 0});
+  CHECK(told(small, 1.0 / 3, 0x1p-1074) == 0);
+  CHECK(told(small, 1.0 / 3, 0x1p-1060) == bit(finding::distance));
+  // t = 2^1074
+  const trial slow = of_boxes({{{1, -1, -1}, {2, 1, 1}}}, {0, 0, 0}, {0x1p-1074, 0, 0});
+  CHECK(told(slow, HUGE_VAL, 1) == 0);
+  CHECK(told(slow, -HUGE_VAL, 1) == bit(finding::distance));
+}
+
 TEST_CASE("fuzz.any: hit or not", "[unit]") {
   const auto said = [](const trial& t, bool hit) {
     visited answer;
