@@ -32,7 +32,7 @@ std::vector<std::string> library_names() {
 /// Those of one library; none where its program is not there.
 std::vector<traversal_entry> variants(const std::string& library, const external_options& like) {
   std::vector<traversal_entry> found;
-  const std::string program = adapter_folder() + "/graze-adapter-" + library;
+  const std::string program = folder_of_adapters() + "/graze-adapter-" + library;
   if (access(program.c_str(), X_OK) != 0)
     return found;
   std::istringstream lines(
@@ -64,7 +64,7 @@ std::vector<traversal_entry> variants(const std::string& library, const external
 
 } // namespace
 
-std::string adapter_folder() {
+std::string folder_of_adapters() {
   if (const char* named = std::getenv("GRAZE_ADAPTERS"); named != nullptr && *named != '\0')
     return named;
   std::error_code error;

@@ -5,7 +5,7 @@
 namespace graze::fuzz {
 
 /// The folder of the adapters' programs: the environment's GRAZE_ADAPTERS, or that of this program.
-std::string adapter_folder();
+std::string folder_of_adapters();
 
 /// A traversal for each variant of each adapter that was built: of the programs graze-adapter-NAME
 /// beside this program, or in the folder that the environment's GRAZE_ADAPTERS names, which are

@@ -154,7 +154,7 @@ expected<std::shared_ptr<const voxel_map>> read_map(const map_file& file) {
   if (!reader)
     return unexpected{reader.reason()};
   const std::string name = "graze-adapter-" + reader->library;
-  const std::string program = adapter_folder() + "/" + name;
+  const std::string program = folder_of_adapters() + "/" + name;
   if (access(program.c_str(), X_OK) != 0)
     return unexpected{fmt::format("{} is read by {}, which is not there: it is built where {} is "
                                   "installed",

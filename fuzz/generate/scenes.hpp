@@ -11,7 +11,7 @@ struct scene_choice {
   cell_kind cells = cell_kind::cube;
   bool segments = false;                   ///< else rays
   std::shared_ptr<const grid_planes> grid; ///< of all trials; none: random ones
-  std::shared_ptr<const voxel_map> map;    ///< of all trials, with `grid` its grid; none: all occupied
+  std::shared_ptr<const voxel_map> map; ///< of all trials, with `grid` its grid; none: all occupied
 
   friend bool operator==(const scene_choice&, const scene_choice&) = default;
 };

@@ -161,7 +161,7 @@ truth truth_of(const trial& t) {
     }
     // beside a voxel that is not occupied nobody need report the other
     const bool surrounded =
-        x.surrounded && y.surrounded && z.surrounded && around == closed && closed != 0;
+        (x.surrounded & y.surrounded & z.surrounded) && around == closed && closed != 0;
     if (s.segment && surrounded && exact.length_count < exact.lengths.size())
       exact.lengths[exact.length_count++] = closed;
   }

@@ -49,7 +49,7 @@ void answer_request(const peers::variant& asked, const adapter::request& r, adap
   library->visit(*ray, found);
   for (const peers::octant_key key : found) {
     const peers::octant_index at = peers::index_of(key);
-    a.visit({r.base[0] + at[0], r.base[1] + at[1], r.base[2] + at[2]});
+    a.visit(adapter::index3{r.base[0] + at[0], r.base[1] + at[1], r.base[2] + at[2]});
   }
 }
 
@@ -98,7 +98,10 @@ int serve_map(const peers::map_variant& v, const std::string& path,
     std::fprintf(stderr, "%s: %s: %s\n", program, path.c_str(), peers::refusal().c_str());
     return 2;
   }
-  std::printf("promise %s\n", v.promise);
+  adapter::hello hello;
+  hello.promise = v.promise;
+  std::printf("promise %s cells grid\n", v.promise);
+  std::fflush(stdout);
   std::string line;
   adapter::request r;
   while (adapter::detail::read_line(line)) {
@@ -108,7 +111,7 @@ int serve_map(const peers::map_variant& v, const std::string& path,
       std::fprintf(stderr, "no request about a map in plain numbers\n");
       return 2;
     }
-    adapter::answer a;
+    adapter::answer a(hello, r);
     const auto ray = octree::ray::make(r.origin, adapter::scaled(r.direction));
     if (const auto received = ray ? library->received(*ray) : std::nullopt) {
       a.received(received->origin(), received->direction());
@@ -116,7 +119,7 @@ int serve_map(const peers::map_variant& v, const std::string& path,
       library->visit(*ray, found);
       for (const peers::octant_key key : found) {
         const peers::octant_index at = peers::index_of(key);
-        a.visit({at[0], at[1], at[2]});
+        a.visit(adapter::index3{at[0], at[1], at[2]});
       }
     } else {
       a.skip();
