@@ -47,8 +47,8 @@ void aim(random_stream& random, trial& t) {
     target[a] = plane_of_block(random, t, a);
   if (random.coin()) {
     const unsigned along = random.below(3);
-    const double edge = t.boxes ? t.boxes->front().hi[along] - t.boxes->front().lo[along]
-                                : pitch(t, along);
+    const double edge =
+        t.boxes ? t.boxes->front().hi[along] - t.boxes->front().lo[along] : pitch(t, along);
     target[along] += std::ldexp(static_cast<double>(random.bits(20)), -20) * edge;
   }
   const bool exactly = random.one_in(4);

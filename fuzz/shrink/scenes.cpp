@@ -262,9 +262,7 @@ void offer_numbers(const trial& t, scene_candidates& out) {
       continue;
     for (const double y : shorter(e.value)) {
       offer_with([&](entry& x) { x.value = x.value == e.value ? y : x.value; });
-      offer_with([&](entry& x) {
-        x.value = x.value == e.value && x.axis == e.axis ? y : x.value;
-      });
+      offer_with([&](entry& x) { x.value = x.value == e.value && x.axis == e.axis ? y : x.value; });
     }
   }
   for (std::size_t i = 0; i < all.size(); ++i)

@@ -104,8 +104,7 @@ std::vector<std::string> target::seeds() {
     for (const cell_kind cells : {cell_kind::cube, cell_kind::grid, cell_kind::boxes}) {
       const trial t = make_trial(generators()[k % generators().size()], 62 + k, 0, 10,
                                  {cells, k % 2 == 0, nullptr});
-      if (!t.grid ||
-          std::max({t.grid->count[0], t.grid->count[1], t.grid->count[2]}) <= most_count)
+      if (!t.grid || std::max({t.grid->count[0], t.grid->count[1], t.grid->count[2]}) <= most_count)
         all.push_back(text_of(encode(t)));
     }
   return all;

@@ -158,9 +158,8 @@ public:
 protected:
   void visit(const trial& t, const octree::grid& g, visited& out) override {
     const octree::voxel_set set = set_of(t, g);
-    const auto first =
-        t.end ? octree::first_voxel(set, *octree::segment::make(t.origin, *t.end))
-              : octree::first_voxel(set, *octree::ray::make(t.origin, t.direction));
+    const auto first = t.end ? octree::first_voxel(set, *octree::segment::make(t.origin, *t.end))
+                             : octree::first_voxel(set, *octree::ray::make(t.origin, t.direction));
     if (!first)
       return;
     out.push(number_of(t, *first));

@@ -306,7 +306,8 @@ public:
     double now = 0, leave = longest;
     for (unsigned a = 0; a < 3; ++a) { // into the block
       const double o = t.origin[a], d = t.direction[a];
-      const double lo = t.plane(static_cast<int>(a), 0), hi = t.plane(static_cast<int>(a), t.extent[a]);
+      const double lo = t.plane(static_cast<int>(a), 0),
+                   hi = t.plane(static_cast<int>(a), t.extent[a]);
       if (d == 0) {
         if (o < lo || hi < o)
           return;
@@ -321,7 +322,8 @@ public:
     vec3 next;
     for (unsigned a = 0; a < 3; ++a) {
       const double d = t.direction[a], x = t.origin[a] + now * d;
-      while (at[a] + 1 < t.extent[a] && t.plane(static_cast<int>(a), static_cast<unsigned>(at[a]) + 1) <= x)
+      while (at[a] + 1 < t.extent[a] &&
+             t.plane(static_cast<int>(a), static_cast<unsigned>(at[a]) + 1) <= x)
         ++at[a];
       step[a] = d > 0 ? 1 : (d < 0 ? -1 : 0);
       next[a] = when(t, a, at[a] + (step[a] > 0 ? 1 : 0));
@@ -342,9 +344,10 @@ public:
 
 private:
   static double when(const trial& t, unsigned a, int plane) {
-    return t.direction[a] == 0 ? std::numeric_limits<double>::infinity()
-                               : (t.plane(static_cast<int>(a), static_cast<unsigned>(plane)) - t.origin[a]) /
-                                     t.direction[a];
+    return t.direction[a] == 0
+               ? std::numeric_limits<double>::infinity()
+               : (t.plane(static_cast<int>(a), static_cast<unsigned>(plane)) - t.origin[a]) /
+                     t.direction[a];
   }
 };
 
@@ -364,7 +367,8 @@ std::vector<traversal_entry> rational_references() {
        maker<nth_touched>("rational-first", promise::first_touched, std::size_t{0})},
       {"rational-any", "the same: whether there is one", maker<hit_or_not>("rational-any", false)},
       {"rational-count", "the same: crossings of the surface", maker<crossings>()},
-      {"slabs", "the textbook's slab test in double, cell by cell", maker<slab_tests>("slabs", false)},
+      {"slabs", "the textbook's slab test in double, cell by cell",
+       maker<slab_tests>("slabs", false)},
       {"slabs-first", "the same, of which the soonest", maker<slab_tests>("slabs-first", true)},
       {"grid-amanatides-woo", "Amanatides and Woo's walk in double, on any planes",
        maker<nearest_plane_walk>()},

@@ -272,15 +272,15 @@ campaign_plan plan_in(std::string_view traversal, const scene_choice& scene, std
   return plan;
 }
 
-const std::array<scene_choice, 6> all_scenes{cubes, grids, boxes, in_segments(cubes), in_segments(grids),
-                                             in_segments(boxes)};
+const std::array<scene_choice, 6> all_scenes{
+    cubes, grids, boxes, in_segments(cubes), in_segments(grids), in_segments(boxes)};
 
 } // namespace
 
 TEST_CASE("fuzz.references: nothing accuses rationals, whatever the cells and the promise",
           "[property]") {
-  for (const char* name : {"rational", "rational-owned", "rational-first",
-                           "rational-any", "rational-count"})
+  for (const char* name :
+       {"rational", "rational-owned", "rational-first", "rational-any", "rational-count"})
     for (const scene_choice& scene : all_scenes) {
       if (!find_traversal(name)->make()->takes(scene.cells, scene.segments))
         continue;
@@ -372,7 +372,8 @@ TEST_CASE("fuzz.codec: grids, boxes and segments come back from bytes", "[proper
         random_stream random(k, 3); // any bytes are a trial that is legal, or none
         auto damaged = bytes;
         for (int i = 0; i < 5; ++i)
-          damaged[random.below(static_cast<unsigned>(damaged.size()))] = static_cast<std::uint8_t>(random.bits(8));
+          damaged[random.below(static_cast<unsigned>(damaged.size()))] =
+              static_cast<std::uint8_t>(random.bits(8));
         if (const auto other = decode(damaged)) {
           REQUIRE(judgeable(*other));
         }

@@ -1,8 +1,8 @@
 #include "campaign_of.hpp"
 #include <generate/tame.hpp>
-#include <trial/replay_line.hpp>
 #include <shrink/shrink.hpp>
 #include <traversal/list.hpp>
+#include <trial/replay_line.hpp>
 
 using namespace graze::fuzz;
 
@@ -57,7 +57,8 @@ TEST_CASE("fuzz.shrink: keeps the kind of finding for every mutant", "[property]
   }
 }
 
-TEST_CASE("fuzz.shrink: grids, boxes and segments become small, and keep their finding", "[property]") {
+TEST_CASE("fuzz.shrink: grids, boxes and segments become small, and keep their finding",
+          "[property]") {
   for (const traversal_entry& e : wrong_references())
     for (const cell_kind cells : {cell_kind::grid, cell_kind::boxes, cell_kind::cube})
       for (const bool segments : {false, true}) {

@@ -58,8 +58,7 @@ std::uint64_t binade(double x) { return std::bit_cast<std::uint64_t>(x) >> 52; }
     // as many steps as stay in the binade: those below 2^(e+1), or above -2^e
     const double end = std::bit_cast<double>(p > 0 ? (here + 1) << 52 : here << 52);
     const double room = std::isfinite(end) ? (end - next) / step : 0;
-    const double jump =
-        room > 3 ? std::min(std::floor(room) - 2, static_cast<double>(k)) : 0;
+    const double jump = room > 3 ? std::min(std::floor(room) - 2, static_cast<double>(k)) : 0;
     p = next + step * jump; // exact: a multiple of u within the binade
     k -= static_cast<std::uint32_t>(jump);
   }
