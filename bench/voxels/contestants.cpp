@@ -243,6 +243,22 @@ void add_lanes(maker& to, const occupied_octants& octants) {
         to.add(
             "graze", std::string(v.name) + ", " + batch::name(p), v.traversal,
             [&] { return lane_walk(set, p, v.rule, v.certainty); }, batch::name(p));
+  // the same planes, loaded: as doubles, and as real numbers
+  const double edge = octants.edge();
+  const std::uint32_t side = 1u << octants.level;
+  for (const auto& [rule, name] : {std::pair(octree::plane_rule::rounded, "grid of doubles"),
+                                   std::pair(octree::plane_rule::exact, "grid of real numbers")}) {
+    const auto grid =
+        octree::grid::make(octants.root.lo, {edge, edge, edge}, {side, side, side}, rule);
+    const auto over_grid = std::make_shared<const octree::voxel_set>(
+        *octree::voxel_set::make(*grid, std::span(octants.indices)));
+    for (const batch::path p : {batch::path::avx512, batch::path::avx2, batch::path::baseline})
+      if (!batch::refusal(p))
+        to.add(
+            "graze", std::string("exact, closed, ") + name + ", " + batch::name(p),
+            "lanes-exact-closed-grid", [&] { return lane_walk(over_grid, p, closed, exact); },
+            batch::name(p));
+  }
 }
 
 /// What drives a traversal from a paper, by what it is (peers/list.hpp).

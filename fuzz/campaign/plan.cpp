@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <external/libraries.hpp>
+#include <external/maps.hpp>
 #include <fmt/format.h>
 #include <graze/support/threads.hpp>
 #include <judge/judge.hpp>
@@ -110,7 +111,7 @@ expected<campaign_plan> resolve_rays(const named_plan& named) {
   const auto cells = cell_kind_of(named.cells);
   if (!cells)
     return unexpected{fmt::format("cells \"{}\" are none of cube, grid, boxes", named.cells)};
-  plan.scene = {*cells, named.segments, nullptr};
+  plan.scene = {*cells, named.segments, nullptr, nullptr};
   if (!named.grid.empty()) {
     if (*cells != cell_kind::grid)
       return unexpected{
@@ -131,10 +132,11 @@ expected<campaign_plan> resolve_rays(const named_plan& named) {
 }
 
 expected<campaign_plan> resolve(const named_plan& named) {
-  auto under_test = named.external ? expected<traversal_entry>(traversal_entry{
-                                         named.traversal, "a traversal in another process", nullptr,
-                                         spelled(*named.external)})
-                                   : named_traversal(named.traversal);
+  auto under_test = named.external || named.scene
+                        ? expected<traversal_entry>(traversal_entry{
+                              named.traversal, "a traversal in another process", nullptr,
+                              named.external ? spelled(*named.external) : std::string()})
+                        : named_traversal(named.traversal);
   if (!under_test)
     return unexpected{under_test.reason()};
   auto plan = resolve_rays(named);
@@ -145,6 +147,20 @@ expected<campaign_plan> resolve(const named_plan& named) {
       return unexpected{well.reason()};
   plan->under_test = *std::move(under_test);
   return plan;
+}
+
+support::status load_map(const named_plan& named, campaign_plan& plan, external_options& like) {
+  if (!named.scene)
+    return {};
+  auto map = known_map(*named.scene);
+  if (!map)
+    return unexpected{map.reason()};
+  plan.scene.map = *std::move(map);
+  plan.scene.grid = plan.scene.map->grid();
+  plan.scene.cells = cell_kind::grid;
+  like.usual_cells = cell_kind::grid;
+  like.map = plan.scene.map;
+  return {};
 }
 
 } // namespace graze::fuzz

@@ -60,6 +60,7 @@ struct named_plan {
   std::string cells = "cube";        ///< or "grid", "boxes"
   bool segments = false;             ///< in place of rays
   std::string grid;                  ///< a JSON grid, as in replay lines; empty: random ones
+  std::optional<map_file> scene;     ///< a map, whose occupied voxels are the cells: then no other
   std::uint64_t seed = 1;
   std::uint64_t rays = 0; ///< 0: no limit
   double seconds = 0;     ///< 0: no limit
@@ -78,7 +79,9 @@ support::status check(const traversal& under_test, const scene_choice& scene);
 
 /// All but the traversal; the reason names what does not exist or is no budget.
 expected<campaign_plan> resolve_rays(const named_plan& named);
-/// The traversal as well. A command is not started: under_test.make is empty.
+/// The traversal as well. A command is not started and a map is not read: under_test.make is empty.
 expected<campaign_plan> resolve(const named_plan& named);
+/// Reads the plan's map, if it has one; `like` is then told of it.
+support::status load_map(const named_plan& named, campaign_plan& plan, external_options& like);
 
 } // namespace graze::fuzz

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <campaign/store.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
@@ -45,6 +46,10 @@ json to_json(const stored_plan& p) {
               {"cells", p.cells},
               {"segments", p.segments},
               {"grid", p.grid.empty() ? json() : json::parse(p.grid)},
+              {"scene", p.scene ? json{{"file", p.scene->path},
+                                       {"voxel_size", p.scene->voxel_size},
+                                       {"cell_centred", p.scene->cell_centred}}
+                                : json()},
               {"seed", p.seed},
               {"rays", p.rays},
               {"seconds", p.seconds},
@@ -105,6 +110,12 @@ stored_plan read_plan_members(const read_json& object) {
   p.level = object.at("level").get<std::string>();
   p.cells = object.value("cells", p.cells);
   p.segments = object.value("segments", p.segments);
+  if (const read_json scene = object.value("scene", read_json()); !scene.is_null()) {
+    p.scene = map_file{scene.at("file").get<std::string>(), scene.at("voxel_size").get<double>(),
+                       scene.at("cell_centred").get<bool>()};
+    if (!(p.scene->voxel_size >= 0) || !std::isfinite(p.scene->voxel_size))
+      throw std::invalid_argument("the voxel size of its scene is not a length");
+  }
   if (const read_json grid = object.value("grid", read_json()); !grid.is_null())
     p.grid = grid.dump();
   p.seed = number("seed");
@@ -336,7 +347,7 @@ std::string difference(const stored_plan& there, const stored_plan& wanted,
 const std::vector<std::string>& common_members() {
   static const std::vector<std::string> members{
       "traversal", "external", "generators", "search", "level", "cells", "segments",
-      "grid",      "seed",     "rays",       "tame",   "hangs", "piece"};
+      "grid",      "scene",    "seed",       "rays",   "tame",  "hangs", "piece"};
   return members;
 }
 

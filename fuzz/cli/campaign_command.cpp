@@ -6,6 +6,8 @@
 #include <cli/commands.hpp>
 #include <cli/scene_options.hpp>
 #include <cli/traversal_options.hpp>
+#include <external/libraries.hpp>
+#include <external/maps.hpp>
 #include <filesystem>
 #include <fmt/format.h>
 #include <graze/support/files.hpp>
@@ -56,7 +58,7 @@ bool read_shard(std::string_view text, stored_plan& plan) {
 
 /// The members of the plan that the command line gives.
 std::vector<std::string> given_members(const CLI::App& campaign) {
-  constexpr std::array<std::pair<const char*, const char*>, 14> members{
+  constexpr std::array<std::pair<const char*, const char*>, 15> members{
       {{"--traversal", "traversal"},
        {"--generator", "generators"},
        {"--except", "generators"},
@@ -67,6 +69,7 @@ std::vector<std::string> given_members(const CLI::App& campaign) {
        {"--cells", "cells"},
        {"--segments", "segments"},
        {"--grid", "grid"},
+       {"--scene", "scene"},
        {"--seed", "seed"},
        {"--rays", "rays"},
        {"--seconds", "seconds"},
@@ -178,6 +181,14 @@ int campaign(campaign_options& options) {
   if (const status well = take_scene(options.scene, options.plan, options.traversal.external);
       !well)
     return bad_input(well.reason());
+  if (options.plan.scene) { // a folder is gone on with from any other
+    options.plan.scene->path = whole_path(*options.plan.scene);
+    const auto map = known_map(*options.plan.scene);
+    if (!map)
+      return bad_input(map.reason());
+    options.traversal.external.map = *map;
+    options.traversal.external.usual_cells = cell_kind::grid;
+  }
   expected<traversal_entry> started = unexpected{std::string()};
   if (options.traversal.external.command.empty()) {
     if (options.app->count("--timeout") != 0)
@@ -200,9 +211,20 @@ int campaign(campaign_options& options) {
   auto plan = resolve(store->plan());
   if (!plan)
     return bad_input(plan.reason());
+  external_options like = store->plan().external.value_or(external_options{});
+  if (const status read = load_map(store->plan(), *plan, like); !read)
+    return bad_input(read.reason());
+  if (store->plan().scene && !store->plan().external) {
+    const auto named = named_traversal(store->plan().traversal, like);
+    if (!named)
+      return bad_input(named.reason());
+    plan->under_test = *named;
+    if (const status may = check(*named->guarded(), plan->scene); !may)
+      return bad_input(may.reason());
+  }
   if (store->plan().external) {
     if (!started)
-      started = tried_traversal(*store->plan().external);
+      started = tried_traversal(like);
     if (!started)
       return bad_input(started.reason());
     plan->under_test = *started;

@@ -2,6 +2,7 @@
 #include <cli/check_options.hpp>
 #include <cli/commands.hpp>
 #include <cli/traversal_options.hpp>
+#include <external/maps.hpp>
 #include <filesystem>
 #include <graze/support/files.hpp>
 #include <graze/support/text.hpp>
@@ -70,7 +71,7 @@ expected<std::vector<named_case>> cases_of(const std::vector<std::string>& argum
       files = *std::move(within);
     }
     for (const std::string& file : files) {
-      const auto read = read_replay_file(file);
+      const auto read = read_replay_file(file, known_map);
       if (!read)
         return unexpected{read.reason()};
       for (const replay_case& c : *read)
@@ -78,6 +79,20 @@ expected<std::vector<named_case>> cases_of(const std::vector<std::string>& argum
     }
   }
   return cases;
+}
+
+/// The map of all cases, if they are of one: of several, one has to be asked about at a time.
+status take_map_of(const std::vector<named_case>& cases, external_options& external) {
+  external.map = cases.front().replayed.at.map;
+  for (const named_case& c : cases)
+    if (c.replayed.at.map != external.map)
+      return unexpected{
+          fmt::format("{}:{}: it is of another map than the first line: ask about one map "
+                      "at a time",
+                      shown(c.file), c.replayed.line)};
+  if (external.map)
+    external.usual_cells = cell_kind::grid;
+  return {};
 }
 
 /// The kinds of a set, most serious first.
@@ -125,6 +140,8 @@ int replay_files(replay_options& options) {
   const trial& first = cases->front().replayed.at;
   options.traversal.external.usual_cells = first.cells();
   options.traversal.external.usual_segments = first.end.has_value();
+  if (const status one = take_map_of(*cases, options.traversal.external); !one)
+    return bad_input(one.reason());
   const auto entry = chosen_traversal(options.name, options.traversal, true);
   if (!entry)
     return bad_input(entry.reason());

@@ -90,6 +90,10 @@ int run(run_options& options) {
       return bad_input(may.reason());
   if (const status may = prepare(options.checks); !may)
     return bad_input(may.reason());
+  if (const status read = load_map(named, *plan, options.traversal.external); !read)
+    return bad_input(read.reason());
+  if (plan->scene.map && !options.json)
+    print("{}: {}\n", shown(named.scene->path), plan->scene.map->about);
   const auto under_test = chosen_traversal(named.traversal, options.traversal, false);
   if (!under_test)
     return bad_input(under_test.reason());
@@ -98,6 +102,8 @@ int run(run_options& options) {
     const auto tried = under_test->guarded();
     take_scene_of(*tried, options.scene, named);
     plan->scene = resolve_rays(named)->scene;
+    if (const status read = load_map(named, *plan, options.traversal.external); !read)
+      return bad_input(read.reason());
     if (const status may = check(*tried, plan->scene); !may)
       return bad_input(may.reason());
   }

@@ -1,4 +1,5 @@
 #include <cli/scene_options.hpp>
+#include <cmath>
 #include <fmt/format.h>
 #include <graze/support/files.hpp>
 #include <trial/replay_line.hpp>
@@ -14,6 +15,15 @@ void add_scene_options(CLI::App& app, scene_options& options) {
   app.add_option("--grid", options.grid,
                  "The grid of all rays, a JSON file as the member grid of a replay line; otherwise "
                  "random ones");
+  CLI::Option* scene = app.add_option("--scene", options.map,
+                                      "A map (.bt .ot .npy .vdb .nvdb .pcd .ply), whose occupied "
+                                      "voxels rays are led to (docs/maps.md)");
+  app.add_option("--voxel-size", options.voxel_size,
+                 "The edge of a map's voxels, for points and arrays, which have none")
+      ->needs(scene);
+  app.add_flag("--cell-centred", options.cell_centred,
+               "OpenVDB, NanoVDB: an index is at a voxel's centre, not at its lowest corner")
+      ->needs(scene);
 }
 
 support::status take_scene(const scene_options& options, named_plan& plan,
@@ -31,10 +41,18 @@ support::status take_scene(const scene_options& options, named_plan& plan,
     plan.grid = grid_text(*grid);
     plan.cells = "grid";
   }
+  if (!options.map.empty()) {
+    if (!options.grid.empty() || (!options.cells.empty() && options.cells != "grid"))
+      return unexpected{"--scene has a grid of its own: without --grid, and --cells grid"};
+    if (!(options.voxel_size >= 0) || !std::isfinite(options.voxel_size))
+      return unexpected{"--voxel-size is not a length above 0"};
+    plan.scene = map_file{options.map, options.voxel_size, options.cell_centred};
+    plan.cells = "grid";
+  }
   if (!options.cells.empty())
     plan.cells = options.cells;
   plan.segments = options.segments;
-  if (!options.cells.empty() || !options.grid.empty())
+  if (!options.cells.empty() || !options.grid.empty() || plan.scene)
     external.cells = cell_kind_of(plan.cells);
   if (options.segments)
     external.segments = true;
@@ -44,7 +62,8 @@ support::status take_scene(const scene_options& options, named_plan& plan,
 void take_scene_of(const traversal& under_test, const scene_options& options, named_plan& plan) {
   for (const cell_kind cells : {cell_kind::cube, cell_kind::grid, cell_kind::boxes})
     for (const bool segments : {false, true}) {
-      if ((!options.cells.empty() || !options.grid.empty()) && name_of(cells) != plan.cells)
+      if ((!options.cells.empty() || !options.grid.empty() || plan.scene) &&
+          name_of(cells) != plan.cells)
         continue;
       if (options.segments && !segments)
         continue;

@@ -9,6 +9,9 @@ struct scene_options {
   std::string cells; ///< empty: as the traversal takes them
   bool segments = false;
   std::string grid; ///< a file
+  std::string map;  ///< a file, and what it leaves open
+  double voxel_size = 0;
+  bool cell_centred = false;
 };
 
 void add_scene_options(CLI::App& app, scene_options& options);

@@ -89,8 +89,11 @@ public:
       if (of_block)
         place[a] = static_cast<unsigned>(whole - t_.base[a]);
     }
-    if (of_block) // voxels around the block are empty: nobody asked about them
-      push(octant_at(place[0], place[1], place[2]));
+    if (of_block && (!t_.map || has(t_.all(), octant_at(place[0], place[1], place[2]))))
+      return push(octant_at(place[0], place[1], place[2]));
+    // voxels around the block are empty, or it was not them that was asked about
+    if (t_.map && is_first(form_.promised) && out_.size() == 0)
+      push_elsewhere(index);
   }
   void received(received_ray r) {
     const vec3& second = of_segment() ? *r.end : r.direction;
@@ -107,7 +110,7 @@ public:
   }
   /// Entry into the first cell. What is said of no cell says nothing.
   void entry(std::optional<double>& into, double x) {
-    if (out_.size() == 0)
+    if (!says_cell())
       return;
     if (std::isnan(x))
       return not_a_number();
@@ -117,7 +120,7 @@ public:
   void distance(double x) { entry(out_.said().distance, x); }
   /// A face's name, or an empty one where none is entered.
   void entered(const std::string& name) {
-    if (out_.size() == 0)
+    if (!says_cell())
       return;
     out_.said().no_face = name.empty();
     if (!name.empty())
@@ -144,6 +147,14 @@ public:
   }
 
 private:
+  static bool has(octant_set set, octant_number v) { return (set >> v & 1) != 0; }
+  void push_elsewhere(const std::array<double, 3>& index) {
+    const voxel_index v{static_cast<std::uint32_t>(index[0]), static_cast<std::uint32_t>(index[1]),
+                        static_cast<std::uint32_t>(index[2])};
+    if (!out_.elsewhere())
+      t_.map->occupied(v) ? out_.push_elsewhere(v) : out_.push_outside();
+  }
+  [[nodiscard]] bool says_cell() const { return out_.size() != 0 || out_.elsewhere(); }
   [[nodiscard]] double count(unsigned axis) const {
     switch (t_.cells()) {
     case cell_kind::boxes:
@@ -155,7 +166,7 @@ private:
     }
   }
   void push(octant_number v) {
-    if (!is_first(form_.promised) || out_.size() == 0)
+    if (!is_first(form_.promised) || !says_cell())
       out_.push(v);
   }
 

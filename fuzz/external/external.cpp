@@ -200,12 +200,13 @@ private:
     const std::uint64_t first_id = next_id_;
     text_.clear();
     for (std::size_t at = 0; at < places.size();) {
-      const bool echo = plan_->echo && std::exchange(is_unasked_, false);
+      const bool is_first = std::exchange(is_unasked_, false);
+      const opening first{plan_->echo && is_first, is_first};
       const std::size_t some = batch() == 0 ? 1 : std::min(batch(), places.size() - at);
       if (batch() == 0)
-        append_request(text_, prepared[places[at]], next_id_, format, echo);
+        append_request(text_, prepared[places[at]], next_id_, format, first);
       else
-        append_batch(text_, prepared, places.subspan(at, some), next_id_, format, echo);
+        append_batch(text_, prepared, places.subspan(at, some), next_id_, format, first);
       next_id_ += some;
       at += some;
     }
@@ -355,6 +356,25 @@ traversal_entry entry_of(const std::shared_ptr<const command_plan>& p, std::stri
           std::move(options)};
 }
 
+/// To a point of an occupied voxel of the map from beside it.
+trial first_trial(const std::shared_ptr<const voxel_map>& map, bool segment) {
+  trial t;
+  t.map = map;
+  t.grid = map->grid();
+  const voxel_index v = map->voxel(0);
+  std::copy(v.begin(), v.end(), t.base.begin());
+  vec3 inside{}, before{};
+  const octree::box cell = t.cell(0);
+  for (unsigned a = 0; a < 3; ++a) {
+    const double edge = cell.hi[a] - cell.lo[a];
+    inside[a] = cell.lo[a] + edge / 2;
+    before[a] = cell.lo[a] - (a == 2 ? edge : edge / 8);
+    t.direction[a] = inside[a] - before[a];
+  }
+  t = with_ray(t, before, t.direction);
+  return segment ? with_end(t, before, inside) : t;
+}
+
 /// A ray, or a segment, through the interiors of two cells, by other numbers on each axis.
 trial first_trial(cell_kind cells, bool segment) {
   trial t;
@@ -462,7 +482,7 @@ std::vector<std::string> notices_of(const command_plan& p, const echoed& echo,
   else if (!echo.sign_of_zero)
     all.emplace_back("of \"echo\", -0 came back as 0: what a traversal does on -0 may not be seen "
                      "(docs/adapters.md#numbers)");
-  if (answers_of(p.promised()) == 0 && first.size() == 1 && !first.declined())
+  if (answers_of(p.promised()) == 0 && first.size() == 1 && !first.declined() && !p.options.map)
     all.emplace_back(
         "it named one of the two cells that the first ray crosses: one that gives the first "
         "hit only says so, promise first (docs/adapters.md#what-it-promises)");
@@ -549,7 +569,9 @@ expected<traversal_entry> external_traversal(const external_options& options) {
     // one that says it late has said it to the process before
     bool is_settled = (attempt > 0 && !tried.is_heard()) || greeted();
     if (is_settled && why.empty()) {
-      why = tried.probe(first_trial(plan->cells(), plan->segments()), first, seconds);
+      why = tried.probe(now.map ? first_trial(now.map, plan->segments())
+                                : first_trial(plan->cells(), plan->segments()),
+                        first, seconds);
       std::string other = std::exchange(why, {});
       is_settled = greeted(); // the first line may have come late
       if (why.empty())

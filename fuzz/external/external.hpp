@@ -23,6 +23,7 @@ struct external_options {
       false; ///< rays and boxes are rounded to float before they are sent, and judged so
   bool needs_received = false; ///< an answer without the ray that was received is malformed
   bool show_errors = false;    ///< its standard error is ours
+  std::shared_ptr<const voxel_map> map; ///< all trials are of this map: it is told to the command
 };
 
 /// The traversal behind a command; each that is made has a process of its own, started when it is

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <external/libraries.hpp>
+#include <external/maps.hpp>
 #include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
@@ -11,14 +12,6 @@
 namespace graze::fuzz {
 
 namespace {
-
-/// The folder of the adapters' programs: GRAZE_ADAPTERS, or that of this program.
-std::filesystem::path folder() {
-  if (const char* named = std::getenv("GRAZE_ADAPTERS"); named != nullptr && *named != '\0')
-    return named;
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-}
 
 /// What a shell's command prints.
 std::string output(const std::string& command) {
@@ -39,10 +32,11 @@ std::vector<std::string> library_names() {
 /// Those of one library; none where its program is not there.
 std::vector<traversal_entry> variants(const std::string& library, const external_options& like) {
   std::vector<traversal_entry> found;
-  const std::string program = folder() / ("graze-adapter-" + library);
+  const std::string program = folder_of_adapters() + "/graze-adapter-" + library;
   if (access(program.c_str(), X_OK) != 0)
     return found;
-  std::istringstream lines(output(shell_word(program) + " --variants"));
+  std::istringstream lines(
+      output(shell_word(program) + (like.map ? " --map-variants" : " --variants")));
   for (std::string name, promised, summary; std::getline(lines, name, '\t') &&
                                             std::getline(lines, promised, '\t') &&
                                             std::getline(lines, summary);) {
@@ -53,15 +47,29 @@ std::vector<traversal_entry> variants(const std::string& library, const external
     }
     external_options options = like;
     options.command = shell_word(program) + " " + shell_word(name);
+    if (like.map) {
+      const map_file& file = like.map->file();
+      options.command = fmt::format("{} --scene {}{} {}", shell_word(program),
+                                    shell_word(whole_path(file)), adapter_options(file), name);
+      options.cells = cell_kind::grid;
+    }
     options.promised = parsed;
     options.format = line_format::plain;
-    options.start_seconds = 1; // they start in some 50 ms
+    // they start in some 50 ms, and read the map twice
+    options.start_seconds = 1 + (like.map ? 10 * like.map->read_seconds : 0);
     found.push_back(untried_external_traversal(options, name, summary));
   }
   return found;
 }
 
 } // namespace
+
+std::string folder_of_adapters() {
+  if (const char* named = std::getenv("GRAZE_ADAPTERS"); named != nullptr && *named != '\0')
+    return named;
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+}
 
 std::vector<traversal_entry> library_traversals(const external_options& like) {
   std::vector<traversal_entry> all;
@@ -75,6 +83,17 @@ std::vector<traversal_entry> library_traversals(const external_options& like) {
 expected<traversal_entry> named_traversal(const std::string& name, const external_options& like) {
   if (const traversal_entry* entry = find_traversal(name))
     return *entry;
+  if (like.map) {
+    const auto reader = map_reader_of(like.map->file().path);
+    if (!reader)
+      return unexpected{reader.reason()};
+    for (const traversal_entry& entry : variants(reader->library, like))
+      if (entry.name == name)
+        return entry;
+    return unexpected{fmt::format("\"{}\" builds from no map such as {}: traversals of {} do, and "
+                                  "your own command",
+                                  name, like.map->file().path, reader->library)};
+  }
   for (const std::string& library : library_names())
     if (name == library || name.starts_with(library + "-"))
       for (const traversal_entry& entry : variants(library, like))

@@ -19,14 +19,20 @@ enum class line_format : std::uint8_t { json, plain, bits };
 using echo_numbers = std::array<double, 16>;
 const echo_numbers& hard_numbers();
 
-/// Appends the request for a trial, with its line's end; `echo`: with hard_numbers() to be given back.
+/// What a process is told once, with its first request.
+struct opening {
+  bool echo = false; ///< hard_numbers(), to be given back
+  bool grid = false; ///< of a map, its grid and what the library calls its first voxel
+};
+
+/// Appends the request for a trial, with its line's end.
 void append_request(std::string& text, const trial& t, std::uint64_t id, line_format format,
-                    bool echo = false);
+                    opening first = {});
 /// The requests for the trials of these places, in one message: ids from `first_id` on. In JSON one
 /// line, else "batch N" and N lines.
 void append_batch(std::string& text, std::span<const trial> trials,
                   std::span<const std::size_t> places, std::uint64_t first_id, line_format format,
-                  bool echo = false);
+                  opening first = {});
 
 /// How an answer is read.
 struct answer_form {

@@ -1,8 +1,10 @@
 /// Requests: what a traversal in another process is asked.
 #include <charconv>
 #include <external/line_protocol.hpp>
+#include <external/maps.hpp>
 #include <fmt/format.h>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <trial/number.hpp>
 
 namespace graze::fuzz {
@@ -87,7 +89,7 @@ void append_grid(json_writer& to, const grid_planes& grid) {
 }
 
 /// The members that hold doubles, and, among the decimals, what stands between them.
-void append_members(json_writer& to, const trial& t, bool bits, bool echo) {
+void append_members(json_writer& to, const trial& t, bool bits, opening first) {
   to.vector("origin", t.origin);
   to.vector(t.end ? "end" : "direction", t.end ? *t.end : t.direction);
   switch (t.cells()) {
@@ -102,7 +104,13 @@ void append_members(json_writer& to, const trial& t, bool bits, bool echo) {
     to.raw("]");
     break;
   case cell_kind::grid:
-    append_grid(to, *t.grid);
+    if (t.map && !bits) {
+      to.key("scene"), to.raw(nlohmann::json(whole_path(t.map->file())).dump());
+      if (first.grid)
+        to.integers("first", t.map->first);
+    }
+    if (!t.map || first.grid)
+      append_grid(to, *t.grid);
     break;
   case cell_kind::cube:
     to.key("root");
@@ -121,21 +129,21 @@ void append_members(json_writer& to, const trial& t, bool bits, bool echo) {
     to.integers("base", t.base);
     to.integers("extent", t.extent);
   }
-  if (echo)
+  if (first.echo)
     to.key("echo"), to.numbers(hard_numbers());
 }
 
-void append_json(std::string& text, const trial& t, std::uint64_t id, bool echo) {
+void append_json(std::string& text, const trial& t, std::uint64_t id, opening first) {
   text += fmt::format(R"({{"id":{})", id);
   json_writer decimals(text, false), bits(text, true);
-  append_members(decimals, t, false, echo);
+  append_members(decimals, t, false, first);
   decimals.key("bits");
   decimals.raw("{");
-  append_members(bits, t, true, echo);
+  append_members(bits, t, true, first);
   decimals.raw("}}");
 }
 
-void append_plain(std::string& text, const trial& t, std::uint64_t id, bool bits, bool echo) {
+void append_plain(std::string& text, const trial& t, std::uint64_t id, bool bits, opening first) {
   const auto into = std::back_inserter(text);
   const auto numbers = [&](std::span<const double> all) {
     for (const double x : all) {
@@ -151,6 +159,25 @@ void append_plain(std::string& text, const trial& t, std::uint64_t id, bool bits
     numbers(t.origin);
     numbers(t.end ? *t.end : t.direction);
   };
+  const auto planes = [&] {
+    if (t.grid->rule == octree::plane_rule::given) {
+      for (const auto& of_axis : t.grid->given)
+        fmt::format_to(into, " {}", of_axis.size());
+      for (const auto& of_axis : t.grid->given)
+        numbers(of_axis);
+    } else {
+      numbers(t.grid->origin);
+      numbers(t.grid->spacing);
+      fmt::format_to(into, " {} {} {}", t.grid->count[0], t.grid->count[1], t.grid->count[2]);
+    }
+  };
+  if (t.map && first.grid) {
+    const auto& from = t.map->first;
+    fmt::format_to(into, "scene {} {} {} {}\ngrid {}", from[0], from[1], from[2],
+                   whole_path(t.map->file()), name_of(t.grid->rule));
+    planes();
+    text += '\n';
+  }
   text += std::to_string(id);
   switch (t.cells()) {
   case cell_kind::boxes:
@@ -161,19 +188,16 @@ void append_plain(std::string& text, const trial& t, std::uint64_t id, bool bits
       numbers(b.lo), numbers(b.hi);
     break;
   case cell_kind::grid:
+    if (t.map) {
+      text += " scene";
+      block();
+      ray();
+      break;
+    }
     fmt::format_to(into, " grid {}", name_of(t.grid->rule));
     block();
     ray();
-    if (t.grid->rule == octree::plane_rule::given) {
-      for (const auto& planes : t.grid->given)
-        fmt::format_to(into, " {}", planes.size());
-      for (const auto& planes : t.grid->given)
-        numbers(planes);
-    } else {
-      numbers(t.grid->origin);
-      numbers(t.grid->spacing);
-      fmt::format_to(into, " {} {} {}", t.grid->count[0], t.grid->count[1], t.grid->count[2]);
-    }
+    planes();
     break;
   case cell_kind::cube:
     fmt::format_to(into, " {}", t.level);
@@ -183,7 +207,7 @@ void append_plain(std::string& text, const trial& t, std::uint64_t id, bool bits
     numbers({&t.root.size, 1});
     break;
   }
-  if (echo)
+  if (first.echo)
     text += " echo", numbers(hard_numbers());
   text += '\n';
 }
@@ -215,27 +239,27 @@ const echo_numbers& hard_numbers() {
 }
 
 void append_request(std::string& text, const trial& t, std::uint64_t id, line_format format,
-                    bool echo) {
+                    opening first) {
   if (format != line_format::json)
-    return append_plain(text, t, id, format == line_format::bits, echo);
-  append_json(text, t, id, echo);
+    return append_plain(text, t, id, format == line_format::bits, first);
+  append_json(text, t, id, first);
   text += '\n';
 }
 
 void append_batch(std::string& text, std::span<const trial> trials,
                   std::span<const std::size_t> places, std::uint64_t first_id, line_format format,
-                  bool echo) {
+                  opening first) {
   const bool in_json = format == line_format::json;
   text += in_json ? R"({"batch":[)" : fmt::format("batch {}\n", places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool with_echo = echo && i == 0;
+    const opening told = i == 0 ? first : opening{};
     if (!in_json) {
-      append_request(text, trials[places[i]], first_id + i, format, with_echo);
+      append_request(text, trials[places[i]], first_id + i, format, told);
       continue;
     }
     if (i != 0)
       text += ',';
-    append_json(text, trials[places[i]], first_id + i, with_echo);
+    append_json(text, trials[places[i]], first_id + i, told);
   }
   if (in_json)
     text += "]}\n";

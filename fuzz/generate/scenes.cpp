@@ -93,6 +93,12 @@ grid_planes random_grid(random_stream& random) {
                           ? g.origin[0]
                           : random_corner(random, g.spacing[a], g.count[a]);
       }
+      for (unsigned a = 0; a < 3; ++a) { // planes that may fall together are few, to be looked at
+        const double reach = std::fabs(g.origin[a]) + g.spacing[a] * g.count[a];
+        const double ulp = reach * (g.rule == plane_rule::binary32 ? 0x1p-23 : 0x1p-52);
+        if (g.spacing[a] < 32 * ulp)
+          g.count[a] = std::min(g.count[a], 1 + random.below(200));
+      }
       if (random.one_in(6)) {
         const unsigned a = random.below(3);
         g.spacing[a] = 0;
@@ -399,7 +405,11 @@ trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, in
     break;
   case cell_kind::grid:
     t.grid = scene.grid ? scene.grid : shared_scene<grid_planes>(seed, index / 64, random_grid);
-    lead_through_grid(g, random, t);
+    t.map = scene.map;
+    if (t.map)
+      lead_through_map(g, random, t);
+    else
+      lead_through_grid(g, random, t);
     break;
   case cell_kind::boxes: {
     constexpr std::uint64_t tame_ones = std::uint64_t{1} << 62;
@@ -422,12 +432,13 @@ trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, in
     t = ray;
     cut(random, t);
   }
-  if (tame && !is_tame(t)) {
-    vec3 end;
-    for (unsigned a = 0; a < 3; ++a)
-      end[a] = ray.origin[a] + ray.direction[a];
-    t = with_end(ray, ray.origin, end);
-  }
+  if (!tame || is_tame(t))
+    return t;
+  vec3 end;
+  for (unsigned a = 0; a < 3; ++a)
+    end[a] = ray.origin[a] + ray.direction[a];
+  if (const trial whole = with_end(ray, ray.origin, end); judgeable(whole))
+    return whole;
   return t;
 }
 

@@ -11,6 +11,8 @@ struct scene_choice {
   cell_kind cells = cell_kind::cube;
   bool segments = false;                   ///< else rays
   std::shared_ptr<const grid_planes> grid; ///< of all trials; none: random ones
+  std::shared_ptr<const voxel_map>
+      map{}; ///< of all trials, with `grid` its grid; none: all occupied
 
   friend bool operator==(const scene_choice&, const scene_choice&) = default;
 };
@@ -27,6 +29,10 @@ std::vector<octree::box> random_boxes(random_stream& random);
 /// Turns the ray into a segment: to a vertex of the cells, to a plane, an ulp short of it or past it, to
 /// a point about the cells, of a few ulps, far beyond them, or the other way round.
 void cut(random_stream& random, trial& t);
+
+/// Leads a ray of the generator to an occupied voxel of the trial's map: its vertices, edges and faces, and
+/// the voxels around it.
+void lead_through_map(const generator& g, random_stream& random, trial& t);
 
 /// Trial `index` of `seed`, as make_trial of generators.hpp, whose octants it has where the choice is cubes.
 /// Trials of 64 numbers in a row share a random grid, those of 8 a list of boxes. `tame`: as tamed()

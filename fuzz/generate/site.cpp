@@ -45,7 +45,14 @@ site site_at(const trial& t, const std::array<std::uint64_t, 3>& index) {
   return s;
 }
 
+site pick_occupied_site(random_stream& random, const trial& t) {
+  const voxel_index v = t.map->voxel(random.bits() % t.map->size());
+  return site_at(t, {v[0] + random.below(2), v[1] + random.below(2), v[2] + random.below(2)});
+}
+
 site pick_site(random_stream& random, const trial& t) {
+  if (t.map)
+    return pick_occupied_site(random, t);
   const unsigned kind = random.below(16);
   if (kind == 0)
     return pick_root_site(random, t);
@@ -64,6 +71,8 @@ site pick_site(random_stream& random, const trial& t) {
 }
 
 site pick_root_site(random_stream& random, const trial& t) {
+  if (t.map)
+    return pick_occupied_site(random, t);
   std::array<std::uint64_t, 3> index{};
   const unsigned faces = random.between(1, 7);
   for (unsigned a = 0; a < 3; ++a)
@@ -72,6 +81,8 @@ site pick_root_site(random_stream& random, const trial& t) {
 }
 
 site pick_coarse_site(random_stream& random, const trial& t) {
+  if (t.map)
+    return pick_occupied_site(random, t);
   std::array<std::uint64_t, 3> index{};
   const int coarse = random.between(1, t.level);
   for (auto& i : index)

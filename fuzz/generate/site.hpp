@@ -21,6 +21,9 @@ double pitch(const trial& t, unsigned axis);
 double lowest(const trial& t, unsigned axis);
 double highest(const trial& t, unsigned axis);
 
+/// A vertex of an occupied voxel of the trial's map; for such a trial the next three are the same.
+site pick_occupied_site(random_stream& random, const trial& t);
+
 /// Where vertices lie: mostly anywhere, at times on the planes of a coarser level (where many
 /// ancestors meet) or beside them, at times on the root's faces.
 site pick_site(random_stream& random, const trial& t);

@@ -76,19 +76,22 @@ bool within(const mpq_class& x, double allowed) {
   return !std::isfinite(allowed) || abs(x) <= mpq_class(allowed);
 }
 
+constexpr double most = std::numeric_limits<double>::max();
+
 bool right_t(const exact_entry& e, double said, double tolerance) {
-  if (!std::isfinite(said)) // right where no double is
-    return said > 0 && e.at > mpq_class(std::numeric_limits<double>::max());
+  if (!std::isfinite(said)) // as good as any where it is beyond the doubles
+    return said > 0 && e.at > mpq_class(most);
   return within(mpq_class(said) - e.at, tolerance * e.unit);
 }
 
 bool right_distance(const exact_entry& e, double said, double tolerance) {
-  if (!std::isfinite(said))
-    return false;
   constexpr mp_bitcnt_t bits = 2400; // the square root of a double's square has no fewer
   const mpf_class speed = sqrt(mpf_class(e.speed, bits));
+  const mpf_class exact = mpf_class(e.at, bits) * speed;
+  if (!std::isfinite(said))
+    return said > 0 && exact > most;
   const double allowed = tolerance * e.unit * speed.get_d();
-  const mpf_class off = mpf_class(said, bits) - mpf_class(e.at, bits) * speed;
+  const mpf_class off = mpf_class(said, bits) - exact;
   return !std::isfinite(allowed) || abs(off) <= mpf_class(allowed, bits);
 }
 
@@ -166,6 +169,43 @@ verdict judge_first(const trial& t, const truth& exact, const visited& answer, p
   return v;
 }
 
+verdict judge_elsewhere(const trial& t, const truth& exact, const visited& answer, promise p,
+                        double tolerance) {
+  verdict v = verdict_of(exact, answer);
+  trial there = t; // a block of this one voxel
+  std::copy(answer.elsewhere()->begin(), answer.elsewhere()->end(), there.base.begin());
+  there.extent = {1, 1, 1};
+  const truth at = truth_of(there);
+  const auto line = rational_line(t);
+  const auto range_of = [&](const trial& of, octant_number cell) {
+    return rational::range_in(line, rational_cell(of, cell));
+  };
+  const auto first = exact.crossed == 0 ? std::nullopt : range_of(t, exact.first_crossed);
+  if (at.touched == 0) {
+    v.spurious = 1; // one voxel, which is not the block's
+    v.visited |= 1;
+    const auto near = rational::range_in(line, dilated(there, 0));
+    if (far_from(there, 1) != 0)
+      v.findings |= bit(finding::far_spurious);
+    else if (first && near && near->first > first->second)
+      miss_first_crossed(t, exact, v);
+    return v;
+  }
+  const auto range = range_of(there, 0);
+  if (first && range->first > first->first) {
+    miss_first_crossed(t, exact, v);
+  } else if (p == promise::first_touched && exact.touched != 0) {
+    const octant_set soonest = exact.soonest & (~exact.soonest + 1);
+    const auto sooner = range_of(t, static_cast<octant_number>(std::countr_zero(soonest)));
+    if (range->first > sooner->first) {
+      v.missed = soonest;
+      v.findings |= bit(finding::miss);
+    }
+  }
+  judge_remarks(there, 0, answer.said(), tolerance, v);
+  return v;
+}
+
 verdict judge_any(const trial& t, const truth& exact, const visited& answer) {
   verdict v = verdict_of(exact, answer);
   v.visited = 0; // it says no cell
@@ -177,7 +217,7 @@ verdict judge_any(const trial& t, const truth& exact, const visited& answer) {
     if (v.gross_missed != 0)
       v.findings |= bit(finding::gross_miss);
   }
-  if (hit && exact.touched == 0) {
+  if (hit && exact.touched == 0 && !t.map) {
     v.spurious = 1; // one answer too many
     if (far_from(t, t.all()) == t.all())
       v.findings |= bit(finding::far_spurious);
@@ -296,6 +336,8 @@ std::optional<std::uint64_t> number_of_crossings(const rational::line& l,
 } // namespace
 
 std::optional<surface_crossings> crossings_of(const trial& t) {
+  if (t.map) // of which the block is a part
+    return std::nullopt;
   std::vector<rational::box> boxes;
   if (t.boxes)
     for (octant_set left = t.all(); left != 0; left &= left - 1)

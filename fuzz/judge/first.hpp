@@ -7,7 +7,11 @@ namespace graze::fuzz {
 /// promise::first and first_touched: one cell or none, and what is said of its entry.
 verdict judge_first(const trial& t, const truth& exact, const visited& answer, promise p,
                     double tolerance);
-/// promise::any.
+/// The same where the one cell is a voxel of the trial's map outside of the block: right if it is touched, and
+/// entered no later than the first crossed one of the block (for first_touched: than the soonest).
+verdict judge_elsewhere(const trial& t, const truth& exact, const visited& answer, promise p,
+                        double tolerance);
+/// promise::any. That there is one is no finding in a map, where it may be outside of the block.
 verdict judge_any(const trial& t, const truth& exact, const visited& answer);
 /// promise::count.
 verdict judge_count(const trial& t, const truth& exact, const visited& answer);
@@ -17,7 +21,7 @@ struct surface_crossings {
   bool odd;
   std::optional<std::uint64_t> number; ///< where each is in the interior of a face
 };
-/// Nothing where the origin (of a segment, or the end) is on a cell's surface, unless it is in the
+/// Nothing for a map, and where the origin (of a segment, or the end) is on a cell's surface, unless it is in the
 /// interior of another, and where a cell is flat: it has no inside.
 std::optional<surface_crossings> crossings_of(const trial& t);
 

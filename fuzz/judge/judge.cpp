@@ -284,6 +284,8 @@ verdict judge(const trial& t, const truth& exact, const visited& answer, promise
   switch (p) {
   case promise::first:
   case promise::first_touched:
+    if (answer.elsewhere())
+      return judge_elsewhere(t, exact, answer, p, tolerance);
     return judge_first(t, exact, answer, p, tolerance);
   case promise::any:
     return judge_any(t, exact, answer);

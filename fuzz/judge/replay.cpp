@@ -111,7 +111,7 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
     into["leave"] = there ? member(r.passages[v][1]) : json();
   };
   if (std::popcount(cells) == 1)
-    passage(line, 0);
+    passage(line, static_cast<octant_number>(std::countr_zero(cells)));
   line["findings"] = json::array();
   for (unsigned k = 0; k < finding_kinds; ++k)
     if ((r.findings >> k & 1) != 0)

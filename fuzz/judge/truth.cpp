@@ -139,13 +139,14 @@ truth truth_of(const trial& t) {
         t.flat(a)
             ? &on_flat_axis[a]
             : places[a][t.extent[a] - 1u][(near_face >> a & 1) | (far_face >> a & 1) << 1].data();
+  const octant_set occupied = t.map ? t.all() : ~octant_set{0};
   const int flat = (t.flat(0) ? 1 : 0) | (t.flat(1) ? 2 : 0) | (t.flat(2) ? 4 : 0);
   for (const oracle::step& s : steps) {
     const layers &x = on[0][s.at[0]], &y = on[1][s.at[1]], &z = on[2][s.at[2]];
-    const octant_set closed = x.closed & y.closed & z.closed;
-    const octant_set owner = x.owner & y.owner & z.owner;
+    const octant_set around = x.closed & y.closed & z.closed, closed = around & occupied;
+    const octant_set owner = x.owner & y.owner & z.owner & occupied;
     const bool interior =
-        ((s.at[0] | flat) & (s.at[1] | flat >> 1) & (s.at[2] | flat >> 2) & 1) != 0;
+        closed != 0 && ((s.at[0] | flat) & (s.at[1] | flat >> 1) & (s.at[2] | flat >> 2) & 1) != 0;
     if (exact.touched == 0)
       exact.soonest = closed;
     if (interior && exact.crossed == 0) { // entered at this point, or at that before this length
@@ -158,7 +159,9 @@ truth truth_of(const trial& t) {
       exact.owned |= owner;
       exact.owner_order[exact.owners++] = static_cast<octant_number>(std::countr_zero(owner));
     }
-    const bool surrounded = x.surrounded & y.surrounded & z.surrounded;
+    // beside a voxel that is not occupied nobody need report the other
+    const bool surrounded =
+        (x.surrounded & y.surrounded & z.surrounded) && around == closed && closed != 0;
     if (s.segment && surrounded && exact.length_count < exact.lengths.size())
       exact.lengths[exact.length_count++] = closed;
   }

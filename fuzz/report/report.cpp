@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <campaign/hint.hpp>
 #include <chrono>
+#include <external/maps.hpp>
 #include <fmt/format.h>
 #include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
@@ -99,6 +100,11 @@ std::string kinds_of(const campaign_result& result) {
 namespace {
 
 std::string spelled(const trial& t) {
+  if (t.map)
+    return fmt::format(
+        "  origin    {}\n  direction {}\n  voxels    {} of the {} x {} x {} from [{}, {}, {}] on\n",
+        spelled(t.origin), spelled(t.direction), std::popcount(t.all()), t.extent[0], t.extent[1],
+        t.extent[2], t.base[0], t.base[1], t.base[2]);
   std::string text = fmt::format("  origin    {}\n  direction {}\n  octant    {} size {}, level {}",
                                  spelled(t.origin), spelled(t.direction), spelled(t.octant(0).lo),
                                  hex(t.size()), t.level);
@@ -128,6 +134,10 @@ std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
     command += fmt::format(" --search {}", name_of(plan.method));
   if (plan.tame)
     command += " --tame";
+  if (plan.scene.map) {
+    const map_file& file = plan.scene.map->file();
+    command += fmt::format(" --scene {}{}", shell_word(file.path), adapter_options(file));
+  }
   return command + fmt::format(" --seed {} --first-ray {} --rays 1", plan.seed, ray);
 }
 

@@ -224,7 +224,9 @@ subject loaders_subject() {
           "Octree files and replay files from damaged bytes",
           {octree_file_loader("octree file", false, octree::decode_octree),
            octree_file_loader("octree file, signed", true, octree::decode_octree),
-           replay_line_loader("replay line", from_json_line), part{"replay file", replay_file}}};
+           replay_line_loader("replay line",
+                              [](std::string_view line) { return from_json_line(line); }),
+           part{"replay file", replay_file}}};
 }
 
 } // namespace graze::fuzz::self

@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <generate/tame.hpp>
+#include <shrink/scenes.hpp>
 #include <shrink/shrink.hpp>
 #include <trial/number.hpp>
 
@@ -256,6 +257,8 @@ void offer_small_integers(const trial& t, candidates& out) {
 } // namespace
 
 complexity complexity_of(const trial& t) {
+  if (t.end || t.cells() != cell_kind::cube)
+    return complexity_of_scene(t);
   complexity c{t.extent[0] * t.extent[1] * t.extent[2], t.level, 0, 0};
   constexpr int not_finite = 1 << 20; // a candidate that is not judgeable()
   const auto digits = [&c](double x) {
@@ -294,6 +297,8 @@ complexity complexity_of(const trial& t) {
 }
 
 std::vector<trial> simpler(const trial& t) {
+  if (t.end || t.cells() != cell_kind::cube)
+    return simpler_scenes(t);
   candidates out(t);
   offer_fewer_octants(t, out);
   offer_ancestors(t, out);

@@ -26,10 +26,25 @@ trial small_integers(random_stream& random, int bits) {
   return t;
 }
 
+/// Grids of a few voxels of spacing 1 or 1/10.
+scene_choice small_scene(const scene_choice& scene, unsigned k) {
+  if (scene.cells != cell_kind::grid)
+    return scene;
+  grid_planes g;
+  g.rule = scene.grid && scene.grid->rule != plane_rule::given
+               ? scene.grid->rule
+               : (k % 2 == 0 ? plane_rule::exact : plane_rule::rounded);
+  const double spacing = k / 2 % 2 == 0 ? 1 : 0.1;
+  g.spacing = {spacing, spacing, spacing};
+  g.count = {2 + k % 3, 2 + k / 3 % 3, 2 + k / 9 % 3};
+  return {cell_kind::grid, scene.segments, std::make_shared<const grid_planes>(std::move(g))};
+}
+
 } // namespace
 
 std::optional<trial> small_witness(traversal& under_test, finding kind, unsigned evaluations,
-                                   shrink_deadline end, const std::atomic<bool>* stop) {
+                                   shrink_deadline end, const std::atomic<bool>* stop,
+                                   const scene_choice& scene) {
   constexpr int most_bits = 26;
   constexpr unsigned enough = 12; // failing trials that are shrunk
   std::optional<trial> best;
@@ -43,6 +58,12 @@ std::optional<trial> small_witness(traversal& under_test, finding kind, unsigned
     if (!best || complexity_of(small) < complexity_of(*best))
       best = small;
   };
+  if (scene.segments || scene.cells != cell_kind::cube) {
+    for (unsigned k = 0; k < evaluations / 2 && found < enough; ++k)
+      try_it(make_trial(*(generators().data() + k % generators().size()), 2026, k, 1,
+                        small_scene(scene, k)));
+    return best;
+  }
   for (unsigned k = 0; k < evaluations / 2 && found < enough; ++k) {
     random_stream random(2026, k);
     const unsigned bits = 1 + 2 * k * static_cast<unsigned>(most_bits - 1) / evaluations;

@@ -77,7 +77,7 @@ std::vector<std::string> target::seeds() {
       "[[1e999,0,0]]"};
   for (const line_format format : {line_format::json, line_format::plain, line_format::bits}) {
     std::string request;
-    append_request(request, asked(), number, format, true);
+    append_request(request, asked(), number, format, {.echo = true});
     request.pop_back();
     all.push_back(request);
   }

@@ -59,7 +59,7 @@ const std::vector<traversal_entry>& traversals() {
         {exactly_nearest, "as exact, on the backend that needs no rounding mode",
          exact<rounding::nearest, convention::owned, exactly_nearest>},
     };
-    for (const auto& more : {baselines_of_2005(), lane_traversals()})
+    for (const auto& more : {grid_traversals(), baselines_of_2005(), lane_traversals()})
       list.insert(list.end(), more.begin(), more.end());
     return list;
   }();

@@ -31,6 +31,12 @@ const std::vector<traversal_entry>& traversals();
 /// Those of fuzz/peers/paper2005 and of octree/voxel_rays.hpp; traversals() has them.
 std::vector<traversal_entry> baselines_of_2005();
 std::vector<traversal_entry> lane_traversals();
+/// Those of voxel sets over grids, and of boxes; traversals() has them.
+std::vector<traversal_entry> grid_traversals();
+/// The rational reference for each promise, and textbook methods in double, for any cells; adapters() has
+/// them. References that are wrong on purpose; mutants() has them.
+std::vector<traversal_entry> rational_references();
+std::vector<traversal_entry> wrong_references();
 /// The traversals that are wrong on purpose: the harness is tested with them.
 const std::vector<traversal_entry>& mutants();
 /// Traversals of others, written here from their papers (fuzz/peers/papers), and the exact reference.

@@ -123,18 +123,24 @@ constexpr char exact[] = "mutant-exact";
 } // namespace
 
 const std::vector<traversal_entry>& mutants() {
-  static const std::vector<traversal_entry> all{
-      {drops, "sound, but leaves out child 5", make_edited<drop_one_child, drops>},
-      {reversed, "sound, but back to front", make_edited<reverse_order, reversed>},
-      {"mutant-everything", "every octant of the block",
-       [] { return std::unique_ptr<traversal>(new report_everything); }},
-      {exact, "sound, but skips where planes are hit exactly", make_edited<skip_exact_hit, exact>},
-      {"mutant-inexact", "sound, but promises to be exact", make_inexact},
-      {"mutant-twice", "sound, but its last octant twice",
-       [] { return std::unique_ptr<traversal>(new report_twice); }},
-      {"mutant-throws", "sound, but throws where the direction has x < 0",
-       [] { return std::unique_ptr<traversal>(new throws); }},
-  };
+  static const std::vector<traversal_entry> all = [] {
+    std::vector<traversal_entry> list{
+        {drops, "sound, but leaves out child 5", make_edited<drop_one_child, drops>},
+        {reversed, "sound, but back to front", make_edited<reverse_order, reversed>},
+        {"mutant-everything", "every octant of the block",
+         [] { return std::unique_ptr<traversal>(new report_everything); }},
+        {exact, "sound, but skips where planes are hit exactly",
+         make_edited<skip_exact_hit, exact>},
+        {"mutant-inexact", "sound, but promises to be exact", make_inexact},
+        {"mutant-twice", "sound, but its last octant twice",
+         [] { return std::unique_ptr<traversal>(new report_twice); }},
+        {"mutant-throws", "sound, but throws where the direction has x < 0",
+         [] { return std::unique_ptr<traversal>(new throws); }},
+    };
+    for (const traversal_entry& e : wrong_references())
+      list.push_back(e);
+    return list;
+  }();
   return all;
 }
 

@@ -1,5 +1,4 @@
 /// The traversals that are written here from their papers (fuzz/peers), driven through a trial's block.
-#include <judge/exact_cells.hpp>
 #include <peers/list.hpp>
 #include <traversal/list.hpp>
 #include <traversal/method_traversal.hpp>
@@ -73,23 +72,6 @@ template <class... Peer> std::vector<traversal_entry> entries(peers::list<Peer..
   return {{Peer::name, Peer::summary, made<Peer>}...};
 }
 
-/// Not a peer: the oracle's rational form, cell by cell, which nothing may accuse. The campaign
-/// judges by the other form, which has no line in common with it.
-class rational final : public traversal {
-public:
-  [[nodiscard]] std::string_view name() const override { return "rational"; }
-  [[nodiscard]] promise promises() const override { return promise::exactly_touched; }
-  [[nodiscard]] bool takes(cell_kind, bool) const override { return true; }
-  void visit(const trial& t, visited& out) override {
-    const auto line = rational_line(t);
-    for (octant_set left = t.all(); left != 0; left &= left - 1) {
-      const auto v = static_cast<octant_number>(std::countr_zero(left));
-      if (oracle::rational::touches(line, rational_cell(t, v)))
-        out.push(v);
-    }
-  }
-};
-
 } // namespace
 
 std::vector<traversal_entry> baselines_of_2005() { return entries(peers::paper2005{}); }
@@ -97,8 +79,8 @@ std::vector<traversal_entry> baselines_of_2005() { return entries(peers::paper20
 const std::vector<traversal_entry>& adapters() {
   static const std::vector<traversal_entry> all = [] {
     std::vector<traversal_entry> list = entries(peers::papers{});
-    list.push_back({"rational", "exact rationals, cell by cell: the reference",
-                    [] { return std::unique_ptr<traversal>(new rational); }});
+    for (const traversal_entry& e : rational_references())
+      list.push_back(e);
     return list;
   }();
   return all;

@@ -140,6 +140,8 @@ void ask(traversal& under_test, const trial& t, visited& out) {
   if (!under_test.takes(t.cells(), t.end.has_value()))
     return out.decline();
   guard(out, [&] { under_test.visit(t, out); });
+  if (t.map)
+    out.keep(t.all());
 }
 
 std::unique_ptr<traversal> traversal_entry::guarded() const {

@@ -79,6 +79,7 @@ public:
     repeated_ = outside_ = declined_ = false;
     fault_ = fault::none;
     received_.reset();
+    elsewhere_.reset();
     said_ = {};
     thrown_.clear();
   }
@@ -93,6 +94,17 @@ public:
   }
   /// An octant that is not of the block was reported.
   void push_outside() { outside_ = true; }
+  /// The one cell that was reported is a voxel outside of the block that is occupied in the trial's map.
+  void push_elsewhere(const voxel_index& v) { elsewhere_ = v; }
+  /// Leaves out what is not of the set.
+  void keep(octant_set set) {
+    unsigned kept = 0;
+    for (unsigned i = 0; i < count_; ++i)
+      if ((set >> order_[i] & 1) != 0)
+        order_[kept++] = order_[i];
+    count_ = kept;
+    set_ &= set;
+  }
   /// There is no answer.
   void fail(fault f) { fault_ = f; }
   /// There is no answer but an exception, and `what` it says.
@@ -119,6 +131,7 @@ public:
   [[nodiscard]] octant_number operator[](unsigned i) const { return order_[i]; }
   [[nodiscard]] bool repeated() const { return repeated_; }
   [[nodiscard]] bool outside() const { return outside_; }
+  [[nodiscard]] const std::optional<voxel_index>& elsewhere() const { return elsewhere_; }
   [[nodiscard]] fault failed() const { return fault_; }
   /// What the exception says, or what is malformed, where that is the fault: a line of ASCII.
   [[nodiscard]] const std::string& thrown() const { return thrown_; }
@@ -132,6 +145,7 @@ private:
   bool repeated_ = false, outside_ = false, declined_ = false;
   fault fault_ = fault::none;
   std::optional<received_ray> received_;
+  std::optional<voxel_index> elsewhere_;
   remarks said_;
   std::string thrown_;
 };
@@ -158,8 +172,8 @@ struct traversal {
   virtual std::size_t visit_some(std::span<const trial> trials, std::span<visited> out);
 };
 
-/// Clears `out` and asks about one trial. An exception is the trial's fault, whatever was answered
-/// before it.
+/// Clears `out` and asks about one trial; voxels that are not occupied in its map are left out of the answer.
+/// An exception is the trial's fault, whatever was answered before it.
 void ask(traversal& under_test, const trial& t, visited& out);
 
 } // namespace graze::fuzz

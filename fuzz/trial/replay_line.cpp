@@ -110,6 +110,29 @@ public:
     g.count = counts(value, "count", 1, max_count);
     return g;
   }
+  map_file map_of(const read_json& value) {
+    map_file file;
+    if (value.is_string()) {
+      file.path = value.get<std::string>();
+      return file;
+    }
+    only(value, {"file", "voxel_size", "cell_centred"}, "scene");
+    if (const read_json* path = member(value, "file"); path != nullptr && path->is_string())
+      file.path = path->get<std::string>();
+    else
+      refuse("\"file\" of \"scene\" is not a string");
+    if (value.is_object() && value.contains("voxel_size")) {
+      file.voxel_size = number(value.at("voxel_size"), "voxel_size");
+      if (!(file.voxel_size > 0))
+        refuse("\"voxel_size\" is not above 0");
+    }
+    if (value.is_object() && value.contains("cell_centred")) {
+      if (!value.at("cell_centred").is_boolean())
+        return refuse("\"cell_centred\" is neither true nor false"), file;
+      file.cell_centred = value.at("cell_centred").get<bool>();
+    }
+    return file;
+  }
   /// What is not of these names is refused, but for remarks.
   void only(const read_json& object, std::initializer_list<std::string_view> names,
             std::string_view what = {}) {
@@ -166,6 +189,17 @@ private:
 
 json json_of(const octree::box& b) { return {{"lo", hex(b.lo)}, {"hi", hex(b.hi)}}; }
 
+json json_of(const map_file& f) {
+  if (f == map_file{f.path})
+    return f.path;
+  json object{{"file", f.path}};
+  if (f.voxel_size != 0)
+    object["voxel_size"] = hex(f.voxel_size);
+  if (f.cell_centred)
+    object["cell_centred"] = true;
+  return object;
+}
+
 json json_of(const grid_planes& g) {
   json object;
   if (g.rule == plane_rule::given) {
@@ -202,7 +236,10 @@ std::string to_json_line(const trial& t) {
       line["boxes"].push_back(json_of(b));
     return line.dump();
   }
-  if (t.grid) {
+  if (t.map) {
+    line["scene"] = json_of(t.map->file());
+    line["voxel"] = t.base;
+  } else if (t.grid) {
     line["grid"] = json_of(*t.grid);
     line["voxel"] = t.base;
   } else {
@@ -214,7 +251,7 @@ std::string to_json_line(const trial& t) {
   return line.dump();
 }
 
-expected<trial> from_json_line(std::string_view text) {
+expected<trial> from_json_line(std::string_view text, const map_source& maps) {
   const read_json line = read_json::parse(text, nullptr, false);
   if (line.is_discarded())
     return unexpected{"not JSON"};
@@ -222,11 +259,13 @@ expected<trial> from_json_line(std::string_view text) {
     return unexpected{"not a JSON object"};
   reader read;
   const bool segment = line.contains("end");
-  const char* const cells = line.contains("boxes")  ? "boxes"
-                            : line.contains("box")  ? "box"
-                            : line.contains("grid") ? "grid"
-                                                    : "octant";
-  const bool blocks = cells == std::string_view("grid"),
+  const char* const cells = line.contains("boxes")   ? "boxes"
+                            : line.contains("box")   ? "box"
+                            : line.contains("grid")  ? "grid"
+                            : line.contains("scene") ? "scene"
+                                                     : "octant";
+  const bool of_map = cells == std::string_view("scene"),
+             blocks = of_map || cells == std::string_view("grid"),
              octants = cells == std::string_view("octant");
   trial t;
   t.origin = read.vector(line, "origin");
@@ -245,7 +284,20 @@ expected<trial> from_json_line(std::string_view text) {
   read.only(line, {"origin", segment ? "end" : "direction", cells, blocks ? "voxel" : cells,
                    blocks ? "extent" : cells});
   if (blocks) {
-    t.grid = std::make_shared<const grid_planes>(read.grid(line.at("grid")));
+    if (of_map) {
+      const map_file file = read.map_of(line.at("scene"));
+      if (read.reason().empty() && !maps)
+        read.refuse("this is a line of a map (\"scene\"), which is not read here");
+      if (!read.reason().empty())
+        return unexpected{read.reason()};
+      const auto map = maps(file);
+      if (!map)
+        return unexpected{map.reason()};
+      t.map = *map;
+      t.grid = t.map->grid();
+    } else {
+      t.grid = std::make_shared<const grid_planes>(read.grid(line.at("grid")));
+    }
     const auto voxel = read.counts(line, "voxel", 0, max_count - 1);
     std::copy(voxel.begin(), voxel.end(), t.base.begin());
   } else {
@@ -277,7 +329,8 @@ expected<grid_planes> grid_from_text(std::string_view text) {
   return g;
 }
 
-expected<std::vector<replay_case>> read_replay_file(const std::string& path) {
+expected<std::vector<replay_case>> read_replay_file(const std::string& path,
+                                                    const map_source& maps) {
   auto file = path == "-" ? expected<support::input_file>(support::input_file::standard_input())
                           : support::input_file::open(path);
   if (!file)
@@ -294,7 +347,7 @@ expected<std::vector<replay_case>> read_replay_file(const std::string& path) {
       continue;
     if (cases.size() == most_replay_lines)
       return unexpected{fmt::format("{} holds more than {} replay lines", path, most_replay_lines)};
-    auto t = from_json_line(line);
+    auto t = from_json_line(line, maps);
     if (!t)
       return unexpected{fmt::format("{}:{}: {}", path, file->line_number(), t.reason())};
     cases.push_back({file->line_number(), *t});

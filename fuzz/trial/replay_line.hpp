@@ -12,6 +12,8 @@
 ///       it a block whose first octant is `octant` (an order error needs two);
 ///   `"grid":{"origin":[3],"spacing":[3],"count":[3],"planes":"rounded"}` (a name of plane_rule) or
 ///       `"grid":{"planes":[[...],[...],[...]]}`, with `"voxel":[i,j,k]` and `extent` as above;
+///   `"scene":"FILE"`, a map, with `voxel` and `extent`, of which those count that are occupied in it; or
+///       `"scene":{"file":"FILE","voxel_size":"0x1p-3","cell_centred":true}` with what the file leaves open;
 ///   `"box":{"lo":[3],"hi":[3]}` or `"boxes":[...]`, up to 64 of them.
 /// Remarks may be in `comment` and `name`; what graze-fuzz writes besides (`finding`, `missed_by`, `kind`,
 /// `traversal`) is left alone; any other member is refused.
@@ -24,8 +26,9 @@ namespace graze::fuzz {
 /// One line, without its end.
 std::string to_json_line(const trial& t);
 
-/// Reads one line; the reason says what is wrong with it.
-expected<trial> from_json_line(std::string_view line);
+/// Reads one line; the reason says what is wrong with it. `maps` is asked for those that lines name; without
+/// it such lines are refused.
+expected<trial> from_json_line(std::string_view line, const map_source& maps = {});
 
 /// A grid alone, as the member `grid` of a line.
 std::string grid_text(const grid_planes& grid);
@@ -42,6 +45,7 @@ inline constexpr std::size_t longest_replay_line = 1 << 16, most_replay_lines = 
 
 /// Reads a whole file ("-" is standard input); lines of blanks are skipped. Refuses the file if any
 /// line is wrong: "FILE:LINE: reason".
-expected<std::vector<replay_case>> read_replay_file(const std::string& path);
+expected<std::vector<replay_case>> read_replay_file(const std::string& path,
+                                                    const map_source& maps = {});
 
 } // namespace graze::fuzz

@@ -13,7 +13,7 @@ template <class T> bool same(const std::shared_ptr<const T>& a, const std::share
 bool operator==(const trial& a, const trial& b) {
   return a.origin == b.origin && a.direction == b.direction && a.end == b.end && a.root == b.root &&
          a.level == b.level && a.base == b.base && a.extent == b.extent && same(a.grid, b.grid) &&
-         same(a.boxes, b.boxes);
+         a.map == b.map && same(a.boxes, b.boxes);
 }
 
 octree::box trial::cell(octant_number v) const {
@@ -121,6 +121,9 @@ support::status judgeable(const trial& t) {
                                              count, "xyz"[a])
                                : "octants lie outside the root"};
   }
+  if (t.map && t.all() == 0)
+    return unexpected{
+        fmt::format("none of these voxels is occupied in the map {}", t.map->file().path)};
   return {};
 }
 

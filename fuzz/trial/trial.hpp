@@ -12,6 +12,7 @@
 #include <optional>
 #include <trial/grid.hpp>
 #include <trial/number.hpp>
+#include <trial/voxel_map.hpp>
 #include <vector>
 
 namespace graze::fuzz {
@@ -42,8 +43,8 @@ inline constexpr unsigned cell_kinds = 3;
 inline constexpr std::size_t max_boxes = 64;
 
 /// A ray or a segment, and cells: the occupied octants of one level of a root cube (`extent` of them
-/// from index `base` on), such a block of a grid's voxels, or a list of boxes, whose places in the list
-/// are the octant_numbers.
+/// from index `base` on), such a block of a grid's voxels, those of them that are occupied in a map, or a
+/// list of boxes, whose places in the list are the octant_numbers.
 struct trial {
   vec3 origin{};
   vec3 direction{1, 0, 0}; ///< of a segment: end - origin, rounded to nearest
@@ -55,6 +56,7 @@ struct trial {
   std::array<std::uint64_t, 3> base{};
   std::array<std::uint8_t, 3> extent{1, 1, 1}; ///< octants an axis, 1..max_extent
   std::shared_ptr<const grid_planes> grid; ///< where there is one, `root` and `level` say nothing
+  std::shared_ptr<const voxel_map> map;    ///< where there is one, `grid` is its grid
   std::shared_ptr<const std::vector<octree::box>> boxes; ///< likewise, and `base` and `extent`
 
   [[nodiscard]] cell_kind cells() const {
@@ -101,9 +103,12 @@ struct trial {
   [[nodiscard]] unsigned at_near_face() const {
     return (base[0] == 0 ? 1u : 0u) | (base[1] == 0 ? 2u : 0u) | (base[2] == 0 ? 4u : 0u);
   }
+  /// Those that are occupied.
   [[nodiscard]] octant_set all() const {
     if (boxes)
       return boxes->size() >= max_boxes ? ~octant_set{0} : (octant_set{1} << boxes->size()) - 1;
+    if (map)
+      return map->occupied(base, extent);
     octant_set set = 0;
     for (unsigned z = 0; z < extent[2]; ++z)
       for (unsigned y = 0; y < extent[1]; ++y)
@@ -116,7 +121,7 @@ struct trial {
 };
 
 /// Whether a trial can be judged, or why not: a ray or segment that is not one, a block outside its root
-/// or grid, octants that are not exact doubles, planes that are not finite and increasing, boxes that are
+/// or grid, or without an occupied voxel of its map, octants that are not exact doubles, planes that are not finite and increasing, boxes that are
 /// not finite with lo <= hi.
 support::status judgeable(const trial& t);
 

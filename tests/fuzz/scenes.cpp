@@ -1,14 +1,19 @@
 /// What rays are led through: random grids and boxes, segments; and that a generator does on a grid what it
 /// says.
+#include "campaign_of.hpp"
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <generate/climb.hpp>
+#include <generate/margin.hpp>
 #include <generate/scenes.hpp>
 #include <generate/site.hpp>
+#include <generate/tame.hpp>
 #include <judge/exact_cells.hpp>
 #include <judge/replay.hpp>
 #include <map>
 #include <set>
 #include <traversal/list.hpp>
+#include <trial/codec.hpp>
 
 using namespace graze::fuzz;
 
@@ -256,5 +261,121 @@ TEST_CASE("fuzz.scenes: the two oracles agree", "[property]") {
         INFO(to_json_line(t));
         REQUIRE(r.oracles_agree);
         REQUIRE(r.findings == 0);
+      }
+}
+
+namespace {
+
+campaign_plan plan_in(std::string_view traversal, const scene_choice& scene, std::uint64_t rays) {
+  campaign_plan plan = plan_of(traversal, 20, rays);
+  plan.scene = scene;
+  return plan;
+}
+
+const std::array<scene_choice, 6> all_scenes{
+    cubes, grids, boxes, in_segments(cubes), in_segments(grids), in_segments(boxes)};
+
+} // namespace
+
+TEST_CASE("fuzz.references: nothing accuses rationals, whatever the cells and the promise",
+          "[property]") {
+  for (const char* name :
+       {"rational", "rational-owned", "rational-first", "rational-any", "rational-count"})
+    for (const scene_choice& scene : all_scenes) {
+      if (!find_traversal(name)->make()->takes(scene.cells, scene.segments))
+        continue;
+      const campaign_result result = run(plan_in(name, scene, 1000));
+      INFO(name << " " << static_cast<unsigned>(scene.cells) << " " << scene.segments);
+      CHECK(result.total.rays == 1000);
+      CHECK(result.total.findings == 0);
+      CHECK(result.total.declined <= 700); // counts of origins on surfaces
+    }
+}
+
+TEST_CASE("fuzz.references: what is wrong on purpose is found", "[property]") {
+  const std::map<std::string_view, finding> wrong{
+      {"mutant-second", finding::crossed_miss}, {"mutant-distance", finding::distance},
+      {"mutant-face", finding::face},           {"mutant-hit", finding::crossed_miss},
+      {"mutant-parity", finding::count},        {"mutant-open-end", finding::miss}};
+  for (const traversal_entry& e : wrong_references())
+    for (const scene_choice& scene : all_scenes) {
+      if (e.name == "mutant-open-end" && !scene.segments)
+        continue;
+      const campaign_result result = run(plan_in(e.name, scene, 1000));
+      INFO(e.name << " " << static_cast<unsigned>(scene.cells) << " " << scene.segments);
+      CHECK(result.total.rays_with[static_cast<unsigned>(wrong.at(e.name))] > 0);
+    }
+  // textbooks
+  for (const char* name : {"slabs", "slabs-first", "grid-amanatides-woo"})
+    for (const scene_choice& scene : {grids, in_segments(grids)})
+      CHECK(run(plan_in(name, scene, 3000)).total.crossed_missed > 0);
+}
+
+TEST_CASE("fuzz.grids: the product's voxel sets over grids, and its boxes, keep their promises",
+          "[property]") {
+  for (const traversal_entry& e : grid_traversals())
+    for (const scene_choice& scene : all_scenes) {
+      if (!e.make()->takes(scene.cells, scene.segments))
+        continue;
+      const campaign_result result = run(plan_in(e.name, scene, 3000));
+      INFO(e.name << " " << static_cast<unsigned>(scene.cells) << " " << scene.segments);
+      CHECK(result.total.rays == 3000);
+      CHECK(result.total.touched > 1000);
+      CHECK(result.total.findings == 0);
+      CHECK(result.total.declined == 0);
+    }
+}
+
+TEST_CASE("fuzz.scenes: tame rays are tame in grids and boxes too", "[property]") {
+  for (const scene_choice& scene : all_scenes)
+    for (const generator& g : generators())
+      for (std::uint64_t k = 0; k < 200; ++k) {
+        const trial t = make_trial(g, 12, k, 20, scene, true);
+        INFO(g.name << " " << to_json_line(t));
+        REQUIRE(judgeable(t));
+        // a scene may lie so far from 0 that no origin is near it, and none as fine
+        if (scene.cells == cell_kind::cube && !scene.segments)
+          REQUIRE(is_tame(t));
+      }
+}
+
+TEST_CASE("fuzz.scenes: mutated trials stay legal, and margins fall on a climb", "[property]") {
+  for (const scene_choice& scene : all_scenes)
+    for (const char* name : {"aimed-vertex", "vertex", "random"})
+      for (std::uint64_t k = 0; k < 20; ++k) {
+        climber c(made(name, k, scene), 3, k);
+        const double start = margin(c.at());
+        for (int i = 0; i < 100; ++i) {
+          const trial t = c.next();
+          REQUIRE(judgeable(t));
+          REQUIRE(t.cells() == scene.cells);
+          REQUIRE(t.end.has_value() == scene.segments);
+        }
+        REQUIRE(margin(c.at()) <= std::max(start, 0x1p-4));
+      }
+}
+
+TEST_CASE("fuzz.codec: grids, boxes and segments come back from bytes", "[property]") {
+  for (const scene_choice& scene : all_scenes)
+    for (const generator& g : generators())
+      for (std::uint64_t k = 0; k < 40; ++k) {
+        const trial t = make_trial(g, 14, 31 * k, 20, scene);
+        const auto bytes = encode(t);
+        const auto again = decode(bytes);
+        INFO(to_json_line(t));
+        REQUIRE(again);
+        REQUIRE(*again == t);
+        REQUIRE_FALSE(decode({bytes.data(), bytes.size() - 1}));
+        auto longer = bytes;
+        longer.push_back(0);
+        REQUIRE_FALSE(decode(longer));
+        random_stream random(k, 3); // any bytes are a trial that is legal, or none
+        auto damaged = bytes;
+        for (int i = 0; i < 5; ++i)
+          damaged[random.below(static_cast<unsigned>(damaged.size()))] =
+              static_cast<std::uint8_t>(random.bits(8));
+        if (const auto other = decode(damaged)) {
+          REQUIRE(judgeable(*other));
+        }
       }
 }

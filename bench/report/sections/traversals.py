@@ -16,7 +16,7 @@ TITLE = "Traversals: rays a second against misses and spurious visits"
 PEERS = pathlib.Path(__file__).parents[3] / "fuzz/peers/CMakeLists.txt"
 # each library on that list, and Debian's package
 ADAPTERS = dict(re.findall(r"^graze_peer_library\((\S+) (\S+)", PEERS.read_text(), re.M))
-TARGETS = ["graze-voxel-peers", "graze-fuzz", *(f"graze-adapter-{name}" for name in ADAPTERS)]
+TARGETS = ["graze-voxel-peers", "graze-first-hits", "graze-fuzz", *(f"graze-adapter-{name}" for name in ADAPTERS)]
 
 LEVELS = (10, 30, 50)
 # rays a campaign asks in a (full, quick) run, by the beginning of the name: libraries behind pipes are slow, and
@@ -50,7 +50,8 @@ def measure(context):
                 campaigns.append(campaign(context, fuzz, traversal, path, level, generators))
             except MeasurementFailed as error:  # one library's fault is not the section's
                 unfinished.append({"traversal": traversal, "level": level, "why": str(error)})
-    return {"quick": context.quick, "timing": timing, "campaigns": campaigns, "unfinished": unfinished}
+    return {"quick": context.quick, "timing": timing, "campaigns": campaigns, "unfinished": unfinished,
+            "first_hits": first_hits(context)}
 
 
 def time_all(context):
@@ -64,6 +65,15 @@ def time_all(context):
         if peer != "none":
             context.missing(peer, ADAPTERS.get(peer, ""), "not timed, and not judged")
     return {"command": " ".join(["graze-voxel-peers", *map(str, command[1:])]), **head, "contestants": contestants}
+
+
+def first_hits(context):
+    """The first voxel on each ray, as users of each library ask for it."""
+    context.progress("first hits a second")
+    command = [context.needed("graze-first-hits"), "--json", "--level=9", f"--rays={context.share(1000000, 100000)}",
+               f"--blocks={context.share(21, 5)}", f"--judged={context.share(4000, 150)}"]
+    return {"command": " ".join(["graze-first-hits", *map(str, command[1:])]),
+            "contestants": context.json_lines(command, timeout=context.share(600, 150))}
 
 
 def names(listing):
@@ -196,6 +206,8 @@ def show(data):
                                           "spurious visits a ray (adversarial rays, level 10)",
                                           marked_label="crashes or hangs"), spurious_caption(rows)),
               page.table(*main_table(rows)), page.table(*depth_table(rows)), page.table(*shell_table(data))]
+    if "first_hits" in data:
+        blocks.append(page.table(*first_hits_table(data["first_hits"])))
     return blocks
 
 
@@ -392,3 +404,20 @@ def shell_table(data):
             "place of the shell's vertices and edges; those in float are doubles that float holds, so that none "
             "rounds them. Those in double are rounded by PCL, OctoMap, NanoVDB and Embree, which then answer for "
             "another ray.")
+
+
+def first_hits_table(data):
+    contestants = data["contestants"]
+    kinds = list(contestants[0]["judged"])
+    rows = []
+    for c in contestants:
+        rate = statistics.spread(c["rays_a_second"])
+        rows.append([c["name"], KINDS[c["kind"]], f"{rate['median'] / 1e6:.3f}",
+                     f"{rate['low'] / 1e6:.3f} to {rate['high'] / 1e6:.3f}",
+                     *(f"{c['judged'][k]['missed']:,} / {c['judged'][k]['untouched']:,}" for k in kinds)])
+    n = contestants[0]["judged"][kinds[0]]["rays"]
+    return (["first hits", "of", "M rays/s", "quartiles", *kinds], rows,
+            f"The first voxel of the same shell on each ray ({page.escape(data['command'])}). Of {n:,} rays of each "
+            "kind: the first voxel missed (none reported, or one that is entered after the first crossed one) / one "
+            "reported that the ray does not touch. graze's are exact; grids have the same planes as the octants, as "
+            "doubles or as real numbers.")

@@ -111,6 +111,14 @@ def test_measure():
         check(head["level"] == 4 and len(timed) == 4, (head, timed))
         check(all(len(c["rays_a_second"]) == 2 and c["judged"]["adversarial double"]["rays_with_gap"] == 0
                   for c in timed), timed)
+    if made.program("graze-first-hits"):
+        hits = made.json_lines([made.needed("graze-first-hits"), "--json", "--level=5", "--rays=2000", "--blocks=2",
+                                "--judged=30"])
+        ours = [c for c in hits if c["kind"] == "graze"]
+        check(len(ours) % 3 == 0 and not any(v["missed"] or v["untouched"] for c in ours
+                                             for v in c["judged"].values()), ours)
+        head, rows, caption = traversals.first_hits_table({"command": "graze-first-hits", "contestants": hits})
+        check(len(rows) == len(hits) and all(len(row) == len(head) for row in rows), (head, rows, caption))
 
 
 def test_measure_hard():

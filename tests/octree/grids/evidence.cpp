@@ -1,4 +1,5 @@
-// graze-grid-evidence: lines through random grids and boxes, exact and conservative, each judged exactly.
+// graze-grid-evidence: lines through random grids and boxes, exact and conservative, each judged
+// exactly.
 #include "dyadic_judge.hpp"
 #include "hard_grids.hpp"
 #include <CLI/CLI.hpp>

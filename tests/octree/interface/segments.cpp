@@ -239,4 +239,11 @@ TEST_CASE("octree.ray_segment: the side of a point on a ray, exactly", "[mpfr]")
     const mpq_class exact = mpq_class(o) + mpq_class(t) * mpq_class(d) - mpq_class(p);
     REQUIRE(octree::detail::side_at(o, d, t, p) == sgn(exact));
   }
+  // a product of 104 ones and one more: carries run through words that are all ones
+  const double d = 0x1p52 - 1, t = 0x1p52 + 1;
+  for (int j = -70; j <= 70; ++j)
+    for (const double sign : {1.0, -1.0}) {
+      const double o = std::ldexp(sign, j), p = std::ldexp(sign, 104 + j);
+      REQUIRE(octree::detail::side_at(o, d, std::ldexp(sign * t, j), p) == 0);
+    }
 }

@@ -10,7 +10,7 @@ namespace {
 template <class Planes> using test = node_test<this_path, Planes>;
 template <class Planes>
 constexpr voxel_rays_walk walk_through{
-    start<this_path, test<Planes>>, fill<this_path, test<Planes>>, count<this_path, test<Planes>>};
+    begin<this_path, test<Planes>>, fill<this_path, test<Planes>>, count<this_path, test<Planes>>};
 } // namespace
 
 constinit const voxel_rays_table GRAZE_ON_PATH(voxel_rays){walk_through<computed_planes>,

@@ -7,12 +7,12 @@
 /// loops are compiled in the library and fill a buffer: a call through a pointer for a buffer, none
 /// for a voxel, and callbacks run in the caller's own rounding mode.
 ///
-/// A voxel is reported if the ray {o + t d : t >= 0}, its segment, or the segment between two points
+/// A voxel is reported if the ray {o + t d : t >= 0}, its segment, or a segment between two points
 ///   conservative, closed   may touch the closed voxel: never one too few, rarely one too many;
 ///   conservative, owned    may have a point in the half-open voxel: likewise;
 ///   exact, closed          touches the closed voxel: never one too few, never one too many;
-///   exact, owned           has a point in the half-open voxel (at the far faces of the root or grid
-///                          closed, and where a grid is flat).
+///   exact, owned           has a point in the half-open voxel (closed at the far faces of the root
+///                          or grid, and where a grid is flat).
 /// When it is in a voxel, by which face it enters, and on what length: exact_line.hpp, asked of
 /// voxel_set::cell; a walk does not pay for it.
 /// Owned voxels come front to back. Closed ones come in the order of their indices, each axis taken
@@ -77,8 +77,8 @@ std::uint64_t visit_voxels(const voxel_set& set, std::span<const Line> lines, co
   std::uint64_t opened = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     set_line(state, lines[i]);
-    kernels.start(state);
-    while (const std::size_t n = kernels.fill(state, found.data(), found.size()))
+    for (std::size_t n = kernels.begin(state, found.data(), found.size()); n != 0;
+         n = state.ended() ? 0 : kernels.fill(state, found.data(), found.size()))
       visit(i, std::span<const voxel>(found.data(), n));
     opened += state.opened;
   }
@@ -97,7 +97,6 @@ public:
       : kernels_(&detail::voxel_rays_kernels(set)) {
     detail::prepare(state_, set, rule, certainty, segment, soonest);
     detail::set_line(state_, r);
-    kernels_->start(state_);
   }
   /// From one point to another.
   voxel_walk(const voxel_set& set, const segment& between, convention rule = convention::owned,
@@ -105,15 +104,19 @@ public:
       : kernels_(&detail::voxel_rays_kernels(set)) {
     detail::prepare(state_, set, rule, certainty, {}, soonest);
     detail::set_line(state_, between);
-    kernels_->start(state_);
   }
   voxel_walk(const voxel_walk&) = delete;
   voxel_walk& operator=(const voxel_walk&) = delete;
 
   /// Writes the next voxels, 64 at least to ask for; none means that there are no more.
-  std::size_t next(std::span<voxel> out) { return kernels_->fill(state_, out.data(), out.size()); }
+  std::size_t next(std::span<voxel> out) {
+    if (begun_)
+      return state_.ended() ? 0 : kernels_->fill(state_, out.data(), out.size());
+    begun_ = true;
+    return kernels_->begin(state_, out.data(), out.size());
+  }
   /// Nodes opened so far.
-  [[nodiscard]] std::uint64_t opened() const { return state_.opened; }
+  [[nodiscard]] std::uint64_t opened() const { return begun_ ? state_.opened : 0; }
 
   class iterator {
   public:
@@ -149,6 +152,7 @@ private:
   }
   const detail::voxel_rays_walk* kernels_;
   detail::voxel_rays_state state_;
+  bool begun_ = false;
   std::size_t held_ = 0, at_ = 0;
   std::array<voxel, 128> buffer_;
 };
@@ -196,6 +200,21 @@ bool visit_voxels(const voxel_set& set, const segment& between, convention rule,
                                                       exactness certainty = exactness::exact) {
   voxel_walk walk(set, between, convention::owned, certainty, true);
   return detail::first_of(walk);
+}
+
+/// first_voxel of each ray, into hits (as many as rays): what does not depend on the ray is done
+/// once.
+inline void first_voxels(const voxel_set& set, std::span<const ray> rays, exactness certainty,
+                         std::span<std::optional<voxel>> hits, const ray_segment& segment = {}) {
+  const detail::voxel_rays_walk& kernels = detail::voxel_rays_kernels(set);
+  std::array<voxel, 64> found;
+  detail::voxel_rays_state state;
+  detail::prepare(state, set, convention::owned, certainty, segment, true);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    detail::set_line(state, rays[i]);
+    hits[i] = kernels.begin(state, found.data(), found.size()) != 0 ? std::optional(found[0])
+                                                                    : std::nullopt;
+  }
 }
 
 /// The number of occupied voxels on each ray, into counts (as many as rays). Returns the number of

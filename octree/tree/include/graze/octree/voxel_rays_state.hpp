@@ -61,7 +61,7 @@ struct voxel_rays_state {
   double first, last;
   bool between_points, owned, exact;
   unsigned most_queued; ///< queue: level by level; 64: the first voxel soonest
-  // made by start
+  // made by begin
   voxel_rays_axis axes[3];
   double from, to;           ///< the segment in scaled t, rounded outwards
   double certain;            ///< an overlap greater than this is not the work of rounding
@@ -72,15 +72,18 @@ struct voxel_rays_state {
   unsigned at;
   unsigned head[most_depth], tail[most_depth];
   voxel_rays_entry entries[most_depth][queue + 4];
+
+  /// There are no more voxels; fill would write none.
+  [[nodiscard]] bool ended() const { return at == 0 && head[0] == tail[0]; }
 };
 
 /// The kernels of a path, for sets over one kind of planes.
 struct voxel_rays_walk {
-  /// Prepares the ray and queues the root.
-  void (*start)(voxel_rays_state&);
+  /// Prepares the ray and queues the root, then as fill: modes are set once.
+  std::size_t (*begin)(voxel_rays_state&, voxel* out, std::size_t capacity);
   /// Writes up to `capacity` (at least 64) voxels; none only at the walk's end.
   std::size_t (*fill)(voxel_rays_state&, voxel* out, std::size_t capacity);
-  /// start, and the number of all voxels.
+  /// Prepares the ray and queues the root; the number of all voxels.
   std::uint32_t (*count)(voxel_rays_state&);
 };
 struct voxel_rays_table {
