@@ -63,6 +63,7 @@ struct exact_entry {
         unit = std::max(unit, (o + p) / d);
     }
     unit = std::max(unit, (largest_origin + largest_point) / largest_speed) * 0x1p-52;
+    unit = std::max(unit, 0x1p-1074); // of a subnormal t
   }
 
   rational::line line;
