@@ -1,10 +1,12 @@
 #include <adapters/adapter.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <external/external.hpp>
 #include <external/peer_process.hpp>
 #include <fmt/format.h>
 #include <judge/judge.hpp>
 #include <trial/number.hpp>
+#include <unistd.h>
 #include <utility>
 
 namespace graze::fuzz {
@@ -63,9 +65,12 @@ std::string shown(std::string_view text, std::size_t most = 80) {
 
 class external final : public traversal {
 public:
-  explicit external(std::shared_ptr<const command_plan> p, bool is_tried = false)
+  explicit external(std::shared_ptr<const command_plan> p)
+      : external(p, p->options.show_errors ? STDERR_FILENO : -1, false) {}
+  /// To be tried, what it writes to its standard error goes to this descriptor.
+  external(std::shared_ptr<const command_plan> p, int errors, bool is_tried = true)
       : plan_(std::move(p)), is_tried_(is_tried),
-        process_(plan_->options.command, plan_->options.show_errors,
+        process_(plan_->options.command, errors,
                  bytes_of_answer * std::max<std::size_t>(1, batch())) {}
 
   [[nodiscard]] std::string_view name() const override { return plan_->name; }
@@ -141,7 +146,7 @@ public:
   [[nodiscard]] const hello& greeting() const { return hello_; }
   [[nodiscard]] bool is_heard() const { return is_heard_; }
   [[nodiscard]] const echoed& echo() const { return echo_; }
-  void stop_now() { process_.stop(std::chrono::milliseconds(0)); }
+  void stop() { process_.stop(); }
 
 private:
   static constexpr double patience = 0.25; ///< for a first line, in seconds
@@ -449,6 +454,14 @@ expected<external_options> agreed(const external_options& asked, const hello& gr
   return both;
 }
 
+/// What it has written to its standard error so far.
+void show_errors_of(external& tried, FILE& errors) {
+  tried.stop();
+  std::rewind(&errors);
+  for (int c = std::getc(&errors); c != EOF; c = std::getc(&errors))
+    std::fputc(c, stderr);
+}
+
 bool same_requests(const command_plan& p, const external_options& o, bool echo) {
   const external_options& q = p.options;
   return q.promised == o.promised && q.cells == o.cells && q.segments == o.segments &&
@@ -530,8 +543,10 @@ expected<traversal_entry> external_traversal(const external_options& options) {
        ++attempt) { // again where its first line changes what it is asked
     auto plan = std::make_shared<command_plan>(command_plan{
         now, options.command, "a traversal in another process", options.start_seconds, echo});
-    plan->options.show_errors = true; // why it does not work is for the user to see
-    external tried(plan, true);
+    // why it does not work is for the user to see, but not what it says of requests of another form than
+    // that of its first line
+    const std::unique_ptr<FILE, int (*)(FILE*)> errors(std::tmpfile(), std::fclose);
+    external tried(plan, errors ? fileno(errors.get()) : STDERR_FILENO);
     tried.listen();
     visited first;
     double seconds = 0;
@@ -562,10 +577,10 @@ expected<traversal_entry> external_traversal(const external_options& options) {
       if (why.empty())
         why = std::move(other);
     }
-    if (!is_settled) {
-      tried.stop_now();
+    if (!is_settled)
       continue;
-    }
+    if (errors)
+      show_errors_of(tried, *errors);
     if (!why.empty())
       return refused(why);
     if (tried.echo().given)

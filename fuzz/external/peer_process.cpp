@@ -112,7 +112,7 @@ private:
 };
 
 /// The child's part between fork and exec: system calls only.
-[[noreturn]] void become(const char* command, int in, int out, bool show_errors, pid_t parent,
+[[noreturn]] void become(const char* command, int in, int out, int errors, pid_t parent,
                          const keeper& k) {
   setpgid(0, 0);
   k.watch(getpid());
@@ -126,9 +126,10 @@ private:
     std::signal(s, SIG_DFL);
   dup2(in, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
-  if (!show_errors)
-    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0)
-      dup2(nowhere, STDERR_FILENO);
+  if (errors < 0)
+    errors = open("/dev/null", O_WRONLY);
+  if (errors >= 0 && errors != STDERR_FILENO)
+    dup2(errors, STDERR_FILENO);
   execl("/bin/sh", "sh", "-c", command, static_cast<char*>(nullptr));
   _exit(127);
 }
@@ -145,7 +146,7 @@ void peer_process::start() {
   const pid_t parent = getpid();
   pid_ = piped ? fork() : -1;
   if (pid_ == 0)
-    become(command_.c_str(), in[0], out[1], show_errors_, parent, k);
+    become(command_.c_str(), in[0], out[1], errors_, parent, k);
   const int error = errno;
   close_end(in[0]);
   close_end(out[1]);

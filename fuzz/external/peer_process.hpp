@@ -25,10 +25,10 @@ public:
   using clock = std::chrono::steady_clock;
   enum class outcome { line, ended, silent, too_long };
 
-  /// Its standard error is ours when `show_errors`, else it goes nowhere. Lines that are longer than
-  /// so many bytes are too_long.
-  peer_process(std::string command, bool show_errors, std::size_t longest_line)
-      : command_(std::move(command)), show_errors_(show_errors), longest_line_(longest_line) {}
+  /// Its standard error goes to this descriptor, or nowhere if that is negative. Lines that are longer
+  /// than so many bytes are too_long.
+  peer_process(std::string command, int errors, std::size_t longest_line)
+      : command_(std::move(command)), errors_(errors), longest_line_(longest_line) {}
   ~peer_process() { stop(); }
   peer_process(const peer_process&) = delete;
   peer_process& operator=(const peer_process&) = delete;
@@ -57,7 +57,7 @@ private:
   void write_some();
 
   std::string command_;
-  bool show_errors_;
+  int errors_;
   std::size_t longest_line_;
   pid_t pid_ = -1;
   std::thread::id starter_;

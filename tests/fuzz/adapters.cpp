@@ -36,17 +36,22 @@ TEST_CASE("fuzz.adapters: pbrt's padded test is caught early", "[property]") {
 // An adapter that is wrong by itself would be caught as well: on rays with nothing special each
 // reports all that is crossed and nothing that is far.
 TEST_CASE("fuzz.adapters: none misses an octant on rays with nothing special", "[property]") {
-  for (const traversal_entry& e : adapters())
+  for (const traversal_entry& e : adapters()) {
+    if (!e.make()->takes(cell_kind::cube, false))
+      continue;
     for (const int level : {1, 4, 10}) {
       const counts c =
-          run(plan_of(e.name, level, e.name == "rational" ? 1000 : 20'000, "random")).total;
+          run(plan_of(e.name, level, e.name.starts_with("rational") ? 1000 : 20'000, "random"))
+              .total;
       INFO(e.name << " at level " << level);
       CHECK(c.rays_with_miss == 0);
       CHECK(c.gaps == 0);
       CHECK(c.far_spurious == 0);
       CHECK(c.revisits == 0);
-      CHECK(c.visited > 0);
+      if (const promise p = e.make()->promises(); p != promise::any && p != promise::count)
+        CHECK(c.visited > 0);
     }
+  }
 }
 
 TEST_CASE("fuzz.adapters: the rational reference is not accused", "[property]") {

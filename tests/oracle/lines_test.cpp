@@ -174,6 +174,7 @@ TEST_CASE("oracle.planes: added planes are those of step by step", "[property]")
         CAPTURE(o, s, k);
         REQUIRE(plane_added(o, s, k) == plane);
       }
+    CHECK(plane_added(o, s, 0) == o);
   }
 }
 

@@ -54,7 +54,7 @@ def replay(context, fuzz, traversal):
     rays.write_text("\n".join(lines) + "\n")
     judged = context.json_lines([fuzz, "replay", rays, "--traversal", traversal, "--timeout", 0.5, "--json"],
                                 codes=(0, 1), timeout=120)
-    return [(json.loads(line).get("case", RECORDED), judgement) for line, judgement in zip(lines, judged, strict=True)]
+    return [(json.loads(line).get("comment", RECORDED), judgement) for line, judgement in zip(lines, judged, strict=True)]
 
 
 def octants(line):

@@ -3,6 +3,7 @@ import { createInterface } from 'node:readline';
 
 const name = process.argv[2];
 const boxes = test => r => ({ visited: r.boxes.flatMap((b, i) => (test(r, b) ? [i] : [])) });
+const isInside = (p, b) => p.every((x, a) => b.lo[a] <= x && x <= b.hi[a]);
 const isFlat = b => b.lo.some((x, a) => x === b.hi[a]);
 const corners = [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
                  [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]];
@@ -28,7 +29,8 @@ const libraries = {
     const { Ray, Vector3, BufferGeometry, BufferAttribute, DoubleSide } = await import('three');
     const { MeshBVH } = await import('three-mesh-bvh');
     return [{ promise: 'first', cells: 'boxes', float: true }, r => { // its vertices are floats
-      if (r.boxes.some(isFlat)) return { skip: true };
+      // a mesh is met at its surface: what a ray from inside meets first need not be the box that it is in
+      if (r.boxes.some(b => isFlat(b) || isInside(r.origin, b))) return { skip: true };
       const at = r.boxes.flatMap(b => [...Array(8).keys()].flatMap(
         k => [0, 1, 2].map(a => (k >> a & 1 ? b.hi : b.lo)[a])));
       const geometry = new BufferGeometry();

@@ -13,6 +13,17 @@ def is_inside(point, box):
     return all(l <= x <= h for l, x, h in zip(box["lo"], point, box["hi"]))
 
 
+def is_for_surfaces(r):
+    """A mesh is met at its surface: what a ray from inside meets first need not be the box that it is in."""
+    return not any(is_flat(b) or is_inside(r["origin"], b) for b in r["boxes"])
+
+
+def unit(r):
+    """The ray with a direction of length 1, and how that is told."""
+    direction = np.array(r["direction"]) / np.linalg.norm(r["direction"])
+    return direction, {"received": {"origin": r["origin"], "direction": direction.tolist()}}
+
+
 def centre_and_half(box):
     """Doubles that give the box back without a rounding, or None."""
     centre, half = [], []
@@ -49,13 +60,14 @@ def trimesh_library(engine):
         from trimesh.ray import ray_pyembree
 
     def answer(r):
-        if any(map(is_flat, r["boxes"])):
+        if not is_for_surfaces(r):
             return {"skip": True}
         vertices, faces = triangles(r["boxes"])
         mesh = trimesh.Trimesh(vertices, faces, process=False)
         rays = (ray_pyembree if engine == "embree" else ray_triangle).RayMeshIntersector(mesh)
-        hit = rays.intersects_first([r["origin"]], [r["direction"]])[0]
-        return {"first": None if hit < 0 else int(hit) // 12}
+        direction, received = unit(r)
+        hit = rays.intersects_first([r["origin"]], [direction])[0]
+        return {"first": None if hit < 0 else int(hit) // 12, **received}
     return answer
 
 
@@ -63,7 +75,7 @@ def open3d_library():
     import open3d
 
     def answer(r):
-        if any(map(is_flat, r["boxes"])):
+        if not is_for_surfaces(r):
             return {"skip": True}
         scene = open3d.t.geometry.RaycastingScene(1)
         vertices, faces = triangles(r["boxes"])
@@ -89,7 +101,7 @@ def vtk_locator(kind):
     import vtk
 
     def answer(r):
-        if any(map(is_flat, r["boxes"])):
+        if not is_for_surfaces(r):
             return {"skip": True}
         vertices, faces = triangles(r["boxes"])
         points, cells = vtk.vtkPoints(), vtk.vtkCellArray()
@@ -114,14 +126,15 @@ def mujoco_library():
 
     def answer(r):
         visited = []
+        direction, received = unit(r)
         for i, b in enumerate(r["boxes"]):
             box = centre_and_half(b)
-            if box is None:
+            if box is None or is_flat(b):
                 return {"skip": True}
             if mujoco.mju_rayGeom(np.array(box[0]), identity, np.array(box[1]), np.array(r["origin"]),
-                                  np.array(r["direction"]), mujoco.mjtGeom.mjGEOM_BOX) >= 0:
+                                  direction, mujoco.mjtGeom.mjGEOM_BOX) >= 0:
                 visited.append(i)
-        return {"visited": visited}
+        return {"visited": visited, **received}
     return answer
 
 

@@ -39,6 +39,17 @@ class Adapter {
         return false;
     }
 
+    /** A mesh is met at its surface: what a ray from inside meets first need not be the box that it is in. */
+    static boolean startsInside() {
+        boolean any = false;
+        for (int i = 0; i < lo.length; i++) {
+            boolean inside = true;
+            for (int a = 0; a < 3; a++) inside &= lo[i][a] <= o[a] && o[a] <= hi[i][a];
+            any |= inside;
+        }
+        return any;
+    }
+
     static String joml() {
         return listed(i -> Intersectiond.intersectRayAab(o[0], o[1], o[2], d[0], d[1], d[2], lo[i][0], lo[i][1],
                 lo[i][2], hi[i][0], hi[i][1], hi[i][2], new Vector2d()));
@@ -82,7 +93,7 @@ class Adapter {
         2, 1, 3, 7, 1, 7, 5};
 
     static String jmeTree() {
-        if (anyFlat()) return "skip";
+        if (anyFlat() || startsInside()) return "skip";
         float[] vertices = new float[24 * lo.length];
         int[] index = new int[36 * lo.length];
         for (int i = 0; i < lo.length; i++) {
@@ -104,9 +115,15 @@ class Adapter {
 
     static String commons() {
         if (anyFlat()) return "skip";
-        var precision = Precision.doubleEquivalenceOfEpsilon(1e-10);
+        double largest = 0; // the precision is absolute
+        for (int a = 0; a < 3; a++) {
+            largest = Math.max(largest, Math.abs(o[a]));
+            for (int i = 0; i < lo.length; i++)
+                largest = Math.max(largest, Math.max(Math.abs(lo[i][a]), Math.abs(hi[i][a])));
+        }
+        var precision = Precision.doubleEquivalenceOfEpsilon(1e-12 * largest);
         try {
-            var ray = Lines3D.rayFromPointAndDirection(Vector3D.of(o), Vector3D.of(d), precision);
+            var ray = Lines3D.rayFromPointAndDirection(Vector3D.of(o), Vector3D.of(d).normalize(), precision);
             return listed(i -> Parallelepiped.axisAligned(Vector3D.of(lo[i]), Vector3D.of(hi[i]), precision)
                     .linecastFirst(ray) != null);
         } catch (IllegalArgumentException tooSmall) {

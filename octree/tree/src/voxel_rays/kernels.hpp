@@ -174,7 +174,10 @@ GRAZE_BATCH_INLINE void start_line(voxel_rays_state& s) {
     x.enter_origin = x.leave_origin =
         __builtin_bit_cast(double, __builtin_bit_cast(std::uint64_t, o) ^ back);
     s.flip |= static_cast<unsigned>(back >> 63) * 3u << (2 * a);
-    const double to_lo = __builtin_fabs(lo - o), to_hi = __builtin_fabs(hi - o);
+    // the greatest of the differences, not a magnitude: upward, lo - o may be the least double where it
+    // overflows, and o - lo is then infinite
+    const double to_lo = o - lo < lo - o ? lo - o : o - lo,
+                 to_hi = o - hi < hi - o ? hi - o : o - hi;
     const double far = (to_lo < to_hi ? to_hi : to_lo) * up[a];
     greatest = far > greatest ? far : greatest;
     if constexpr (Planes::tabled) {
