@@ -51,8 +51,9 @@ void counts::add(const verdict& v) {
     ++revisits;
   if ((v.findings & wrong_remarks_of_answers) != 0)
     ++wrong_remarks;
-  if (v.findings != 0)
-    ++findings;
+  if (v.findings == 0)
+    return;
+  ++findings;
   for (unsigned k = 0; k < finding_kinds; ++k)
     rays_with[k] += v.findings >> k & 1;
 }

@@ -54,6 +54,18 @@ constexpr auto places = [] {
   return all;
 }();
 
+/// The steps of a ray through octants.
+void step_through_octants(const trial& t, std::vector<oracle::step>& steps) {
+  std::array<std::array<double, max_extent + 1>, 3> planes;
+  std::array<std::span<const double>, 3> grid;
+  for (unsigned a = 0; a < 3; ++a) {
+    for (unsigned k = 0; k <= t.extent[a]; ++k)
+      planes[a][k] = t.octant_plane(static_cast<int>(a), t.base[a] + k);
+    grid[a] = std::span<const double>(planes[a].data(), t.extent[a] + 1u);
+  }
+  oracle::steps_in_grid(t.origin, t.direction, grid, steps);
+}
+
 /// The steps of a ray through planes that are doubles.
 void step_through_doubles(const trial& t, std::vector<oracle::step>& steps) {
   std::array<std::array<double, max_extent + 1>, 3> planes;
@@ -131,8 +143,10 @@ truth truth_of(const trial& t) {
   thread_local std::vector<oracle::step> steps;
   if (t.end || (t.grid && t.grid->rule == plane_rule::exact))
     step_through_sums(t, steps);
-  else
+  else if (t.grid)
     step_through_doubles(t, steps);
+  else
+    step_through_octants(t, steps);
   std::array<const layers*, 3> on;
   for (unsigned a = 0; a < 3; ++a)
     on[a] =
@@ -149,8 +163,9 @@ truth truth_of(const trial& t) {
         closed != 0 && ((s.at[0] | flat) & (s.at[1] | flat >> 1) & (s.at[2] | flat >> 2) & 1) != 0;
     if (exact.touched == 0)
       exact.soonest = closed;
-    if (interior && exact.crossed == 0) { // entered at this point, or at that before this length
-      exact.not_after = s.segment ? exact.touched : exact.touched | closed;
+    if (interior &&
+        exact.crossed == 0) { // entered here, or at the point before this length: touched there
+      exact.not_after = exact.touched | closed;
       exact.first_crossed = static_cast<octant_number>(std::countr_zero(closed));
     }
     exact.touched |= closed;

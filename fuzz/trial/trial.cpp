@@ -19,6 +19,8 @@ bool operator==(const trial& a, const trial& b) {
 octree::box trial::cell(octant_number v) const {
   if (boxes)
     return (*boxes)[v];
+  if (!grid)
+    return octree::closed_box(octant(v));
   octree::box b;
   const std::array<unsigned, 3> at{v & 3u, v >> 2 & 3u, static_cast<unsigned>(v) >> 4};
   for (unsigned a = 0; a < 3; ++a) {

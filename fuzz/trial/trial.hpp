@@ -74,8 +74,12 @@ struct trial {
   /// middle, as root_cube::octant does: from the corner it would be rounded on some roots. Of a grid
   /// of any planes its plane; the nearest double where the rule is exact.
   [[nodiscard]] double grid_plane(int axis, std::uint64_t index) const {
-    if (grid)
-      return nearest_plane(*grid, static_cast<unsigned>(axis), static_cast<std::uint32_t>(index));
+    return grid ? nearest_plane(*grid, static_cast<unsigned>(axis),
+                                static_cast<std::uint32_t>(index))
+                : octant_plane(axis, index);
+  }
+  /// The same, of octants alone.
+  [[nodiscard]] double octant_plane(int axis, std::uint64_t index) const {
     if (level == 0)
       return index == 0 ? root.lo[axis] : root.hi(axis);
     const auto half = std::int64_t{1} << (level - 1);
@@ -87,7 +91,9 @@ struct trial {
   }
   /// Of a cube's octants.
   [[nodiscard]] cube octant(octant_number v) const {
-    return {{plane(0, v & 3u), plane(1, v >> 2 & 3u), plane(2, v >> 4)}, size()};
+    return {{octant_plane(0, base[0] + (v & 3u)), octant_plane(1, base[1] + (v >> 2 & 3u)),
+             octant_plane(2, base[2] + (v >> 4))},
+            size()};
   }
   /// The closed box of an octant, a voxel (as grid_plane), or the list's box of this place.
   [[nodiscard]] octree::box cell(octant_number v) const;

@@ -190,6 +190,11 @@ TEST_CASE("fuzz.first: in a grid the first voxel is told from those behind it", 
   CHECK(truth_of(t).soonest == set_of({at(0, 0, 0)}));
   CHECK(found(t, seen({at(0, 0, 0)}), promise::first) == 0);
   CHECK((found(t, seen({at(1, 0, 0)}), promise::first) & bit(finding::gross_miss)) != 0);
+  // from within a voxel: that one
+  trial within = t;
+  within.origin[0] = 0.15;
+  CHECK(found(within, seen({at(1, 0, 0)}), promise::first) == 0);
+  CHECK((found(within, seen({at(2, 0, 0)}), promise::first) & bit(finding::gross_miss)) != 0);
   // along an edge of the planes 0.3 of y and z (which are 0.30000000000000004): four are touched at once
   trial edge = t;
   edge.origin = {-1, 0.30000000000000004, 0.30000000000000004};
@@ -310,6 +315,9 @@ TEST_CASE("fuzz.count: crossings of the surface of all boxes together", "[unit]"
   CHECK(number(of_boxes({one}, {0, 1, 0}, {1, 0, 0})) == -2); // in a face
   CHECK(number(of_boxes({one, apart}, {1.5, 0.5, 0}, {1, 1, 0})) == -3); // out at an edge
   CHECK(number(of_boxes({{{1, 1, 1}, {1, 2, 2}}}, o, d)) == -1);         // flat: without inside
+  // out of the interior of one box's face into that of another's, on the edge in which they meet
+  CHECK(number(of_boxes({{{-5, -6, -1}, {1, 5, 1}}, {{-5, 1, -1}, {5, 9, 1}}}, {0, 0, 0},
+                        {1, 1, 0})) == -3);
   // out of one face into another box's other face over the edge in which they meet
   CHECK(number(of_boxes({{{-1, -1, -1}, {1, 1, 1}}, {{-3, 1, -1}, {3, 2, 1}}}, {0, 0, 0},
                         {1, 1, 0})) == -3);

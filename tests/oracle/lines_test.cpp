@@ -273,6 +273,53 @@ TEST_CASE("oracle.lines: what of a box is met is the rational answer, and who is
   CHECK(equal > 10'000);
 }
 
+TEST_CASE(
+    "oracle.lines: a point beside a plane that is no double is on its side of it, and a plane is "
+    "itself",
+    "[property][hardcase]") {
+  const auto side = [](const plane_terms& p, double x) {
+    const mpq_class d = value(p) - mpq_class(x);
+    return static_cast<place>(sgn(d) < 0 ? 1 : (sgn(d) == 0 ? 0 : -1));
+  };
+  unsigned tested = 0;
+  for (const auto& [o, s] : hard_axes())
+    for (std::uint32_t k = 0; k < 3000; k += 1 + k / 40) {
+      const plane_terms p = plane_exactly(o, s, k);
+      const double nearest = plane_rounded(o, s, k);
+      for (const double x :
+           {nearest, std::nextafter(nearest, HUGE_VAL), std::nextafter(nearest, -HUGE_VAL)}) {
+        // on the first axis the line stays at x; on the others it is in the hull
+        const line l{{x, 0, 0}, {0, 1, 0}};
+        const std::array<plane_terms, 1> flat{p};
+        const std::array<plane_terms, 1> zero{plane_terms{}};
+        std::vector<step> steps;
+        steps_in_grid(l, {flat, zero, zero}, steps);
+        const bool on = side(p, x) == 0;
+        if (on == steps.empty()) {
+          CAPTURE(o, s, k, x);
+          REQUIRE(on != steps.empty());
+        }
+        const std::array<plane_terms, 2> above{p, plane_exactly(1e300, 0, 0)};
+        steps_in_grid(l, {above, zero, zero}, steps);
+        if (steps.empty() != (side(p, x) < 0)) {
+          CAPTURE(o, s, k, x);
+          REQUIRE(steps.empty() == (side(p, x) < 0));
+        }
+        ++tested;
+      }
+      // a flat box of this plane is flat
+      planes_box b{};
+      b.lo[0] = b.hi[0] = p;
+      b.hi[1][0] = b.hi[2][0] = 1;
+      const meeting m({{o - 1, 0.5, 0.5}, {1, 0, 0}}, b);
+      if (m.touches() != m.crosses()) {
+        CAPTURE(o, s, k);
+        REQUIRE(m.touches() == m.crosses());
+      }
+    }
+  CHECK(tested > 10'000);
+}
+
 TEST_CASE("oracle.lines: flat boxes and segments' ends, by hand", "[unit]") {
   const auto met = [](const line& l, const point& lo, const point& hi) {
     const meeting m(l, box_of(lo, hi));
