@@ -6,6 +6,7 @@
 #include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
 #include <report/report.hpp>
+#include <report/reproducer/reproducer.hpp>
 #include <shrink/shrink.hpp>
 #include <trial/number.hpp>
 #include <trial/replay_line.hpp>
@@ -100,11 +101,8 @@ std::string kinds_of(const campaign_result& result) {
 namespace {
 
 std::string spelled(const trial& t) {
-  if (t.map)
-    return fmt::format(
-        "  origin    {}\n  direction {}\n  voxels    {} of the {} x {} x {} from [{}, {}, {}] on\n",
-        spelled(t.origin), spelled(t.direction), std::popcount(t.all()), t.extent[0], t.extent[1],
-        t.extent[2], t.base[0], t.base[1], t.base[2]);
+  if (t.end || t.cells() != cell_kind::cube)
+    return scene_lines(t, "  ");
   std::string text = fmt::format("  origin    {}\n  direction {}\n  octant    {} size {}, level {}",
                                  spelled(t.origin), spelled(t.direction), spelled(t.octant(0).lo),
                                  hex(t.size()), t.level);

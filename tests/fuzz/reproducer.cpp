@@ -256,3 +256,36 @@ TEST_CASE("fuzz.shrink: there is no small witness against a traversal that is ri
   CHECK_FALSE(small_witness(*sound, finding::miss));
   CHECK_FALSE(small_witness(*sound, finding::crossed_miss));
 }
+
+TEST_CASE("fuzz.reproducer: of segments, grids and boxes it tells the cells, and claims nothing of "
+          "octants",
+          "[unit]") {
+  for (
+      const char* line :
+      {R"({"origin":[0.15,0.25,-1],"direction":[0,0,1],"grid":{"origin":[0,0,0],"spacing":[0.1,0.1,0],"count":[5,5,1],"planes":"added"},"voxel":[1,2,0]})",
+       R"({"origin":[0,0,0],"end":[1,0,0],"octant":{"lo":[0,0,0],"size":0.5}})",
+       R"({"origin":[0,0.5,0.5],"direction":[1,0,0],"boxes":[{"lo":[1,0,0],"hi":[1,1,1]},{"lo":[2,0,0],"hi":[3,1,1]}]})"}) {
+    const auto t = from_json_line(line);
+    REQUIRE(t);
+    const auto under_test = find_traversal("mutant-second")->make();
+    const reproduction r = reproduction_of(*t, *under_test, finding::crossed_miss);
+    const std::string text = reproducer_text(r);
+    INFO(text);
+    CHECK(text.find("root") == std::string::npos);
+    CHECK(text.find("margin") == std::string::npos);
+    CHECK(text.find(t->boxes ? "box        ("
+                             : (t->grid ? "grid       5 x 5 x 1 voxels"
+                                        : "octant     [0, 0, 0] of level 1")) != std::string::npos);
+    CHECK(text.find(t->end ? "end        (" : "direction  (") != std::string::npos);
+    CHECK(text.find("reported") != std::string::npos);
+    const std::string folder = std::string("scene_reproducer_") + std::string(name_of(t->cells()));
+    const auto written = write_reproducer(r, folder);
+    REQUIRE(written);
+    CHECK(written->test.empty());
+    CHECK(std::filesystem::exists(written->path + ".json"));
+    CHECK(std::filesystem::exists(written->path + ".txt"));
+    CHECK_FALSE(std::filesystem::exists(written->path + ".cpp"));
+    CHECK_FALSE(std::filesystem::exists(written->path + ".svg"));
+    std::filesystem::remove_all(folder);
+  }
+}

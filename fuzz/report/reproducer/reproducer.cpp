@@ -104,14 +104,15 @@ expected<written_reproducer> write_reproducer(const reproduction& r, const std::
   if (const support::status may = prepare_folder(folder); !may)
     return unexpected{may.reason()};
   const std::filesystem::path within(folder);
-  const written_reproducer done{(within / reproducer_name(r)).string(),
-                                (within / test_file_name(r, written)).string()};
-  const std::array<std::pair<std::string, std::string>, 5> files{
-      {{done.path + ".txt", reproducer_text(r)},
-       {done.path + ".cpp", reproducer_snippet(r)},
-       {done.path + ".svg", reproducer_picture(r)},
-       {done.test, test_file(r, written)},
-       {done.path + ".json", reproducer_json(r)}}};
+  written_reproducer done{(within / reproducer_name(r)).string(), {}};
+  std::vector<std::pair<std::string, std::string>> files{{done.path + ".txt", reproducer_text(r)}};
+  if (!r.at.end && r.at.cells() == cell_kind::cube) {
+    done.test = (within / test_file_name(r, written)).string();
+    files.emplace_back(done.path + ".cpp", reproducer_snippet(r));
+    files.emplace_back(done.path + ".svg", reproducer_picture(r));
+    files.emplace_back(done.test, test_file(r, written));
+  }
+  files.emplace_back(done.path + ".json", reproducer_json(r));
   for (const auto& [path, text] : files)
     if (const support::status s = support::write_atomically(path, text); !s)
       return unexpected{s.reason()};

@@ -8,6 +8,7 @@
 ///   NAME.svg   the ray and the octants on the two axes that tell most
 ///   a test in the language of the traversal, by its bits and what must be visited (test_file.hpp)
 ///
+/// Of a segment, and of voxels of a grid and boxes, the first two alone.
 /// NAME is traversal-finding-HASH, the hash being that of the replay line: one case, one name.
 #include <external/external.hpp>
 #include <graze/support/status.hpp>
@@ -47,6 +48,9 @@ struct reproduction {
 reproduction reproduction_of(const trial& t, traversal& under_test, finding kind,
                              const std::string& options = {});
 
+/// Lines of a ray or segment and its cells, names in a column of 11 characters after the indent.
+std::string scene_lines(const trial& t, std::string_view indent);
+
 std::string reproducer_name(const reproduction& r);
 std::string reproducer_json(const reproduction& r);
 std::string reproducer_text(const reproduction& r);
@@ -61,8 +65,10 @@ support::status prepare_folder(const std::string& folder);
 /// What was written: "FOLDER/NAME.json .txt .cpp .svg, FOLDER/NAME_test.cpp".
 struct written_reproducer {
   std::string path; ///< without an ending
-  std::string test; ///< the test's file
-  [[nodiscard]] std::string spelled() const { return path + ".json .txt .cpp .svg, " + test; }
+  std::string test; ///< the test's file; empty where there is none
+  [[nodiscard]] std::string spelled() const {
+    return test.empty() ? path + ".json .txt" : path + ".json .txt .cpp .svg, " + test;
+  }
 };
 
 /// Writes the five files, each whole or not at all, NAME.json last; refuses when a file cannot be written.
