@@ -300,7 +300,7 @@ std::optional<std::uint64_t> number_of_crossings(const rational::line& l,
   for (const rational::box& b : boxes) {
     const auto p = passage_of(l, b);
     // what lies behind the origin, or beyond the end, or begins there: these are on no surface
-    if (!p || p->leave <= 0 || (l.segment && p->enter >= 1))
+    if (!p || p->leave <= 0 || (l.last && p->enter >= 1))
       continue;
     if (!p->through_faces)
       return std::nullopt;
@@ -309,7 +309,7 @@ std::optional<std::uint64_t> number_of_crossings(const rational::line& l,
   std::sort(met.begin(), met.end(),
             [](const passage& x, const passage& y) { return x.enter < y.enter; });
   const auto counted = [&l](const mpq_class& t) {
-    return t > 0 && !(l.segment && t >= 1) ? std::uint64_t{1} : std::uint64_t{0};
+    return t > 0 && !(l.last && t >= 1) ? std::uint64_t{1} : std::uint64_t{0};
   };
   std::uint64_t number = 0;
   std::optional<passage> part; // of the union

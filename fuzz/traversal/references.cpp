@@ -180,7 +180,7 @@ public:
       if (const auto range = rational::range_in(line, b))
         events.insert(events.end(), {range->first, range->second});
     std::sort(events.begin(), events.end());
-    events.push_back(line.segment ? mpq_class(1) : mpq_class(events.back() + 1));
+    events.push_back(line.last ? mpq_class(1) : mpq_class(events.back() + 1));
     const auto inside = [&](const mpq_class& when) {
       for (const rational::box& b : boxes) {
         bool in = true;
@@ -240,7 +240,7 @@ public:
     const auto line = rational_line(t);
     visit_each(t, out, [&](octant_number v) {
       const auto range = rational::range_in(line, rational_cell(t, v));
-      return range && !(line.segment && range->first == 1);
+      return range && !(line.last && range->first == 1);
     });
   }
 };

@@ -43,13 +43,13 @@ place place_of(const mpq_class& x, const std::vector<plane_terms>& planes) {
 std::vector<step> steps_by_definition(const rational::line& l,
                                       const std::array<std::vector<plane_terms>, 3>& planes) {
   std::vector<mpq_class> times{0};
-  if (l.segment)
+  if (l.last)
     times.push_back(1);
   for (unsigned a = 0; a < 3; ++a)
     if (l.velocity[a] != 0)
       for (const plane_terms& p : planes[a])
         if (const mpq_class t = (value(p) - l.origin[a]) / l.velocity[a];
-            t > 0 && !(l.segment && t > 1))
+            t > 0 && !(l.last && t > 1))
           times.push_back(t);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
@@ -67,7 +67,7 @@ std::vector<step> steps_by_definition(const rational::line& l,
     report(times[i], false);
     if (i + 1 < times.size())
       report((times[i] + times[i + 1]) / 2, true);
-    else if (!l.segment)
+    else if (!l.last)
       report(times[i] + 1, true);
   }
   return steps;

@@ -1,5 +1,6 @@
 #include <graze/oracle/elementary.hpp>
 #include <graze/oracle/rational.hpp>
+#include <mpfr.h>
 #include <vector>
 
 namespace graze::oracle::rational {
@@ -71,8 +72,9 @@ range in_box(const point& origin, const point& direction, const point& lo, const
 
 range in_box(const line& l, const box& b, unsigned lower_closed, unsigned upper_closed) {
   range r;
-  if (l.segment)
-    r.keep_to(1, true);
+  r.first = l.first;
+  if (l.last)
+    r.keep_to(*l.last, true);
   for (unsigned a = 0; a < 3; ++a)
     clip(r, l.origin[a], l.velocity[a], b.lo[a], b.hi[a], (lower_closed >> a & 1) != 0,
          (upper_closed >> a & 1) != 0);
@@ -91,6 +93,26 @@ std::array<mpq_class, 3> exactly(const point& p) {
   return {mpq_class(p[0]), mpq_class(p[1]), mpq_class(p[2])};
 }
 
+/// `bits` of precision, numbers from 2^(least - 1) on; below, of the granularity that is left.
+mpq_class nearest(const mpq_class& x, int bits, int least, int greatest) {
+  const mpfr_exp_t old_least = mpfr_get_emin(), old_greatest = mpfr_get_emax();
+  mpfr_set_emin(least - bits + 1);
+  mpfr_set_emax(greatest);
+  mpfr_t y;
+  mpfr_init2(y, bits);
+  const int order = mpfr_set_q(y, x.get_mpq_t(), MPFR_RNDN);
+  mpfr_subnormalize(y, order, MPFR_RNDN);
+  mpq_class result;
+  if (mpfr_inf_p(y) != 0)
+    result = mpfr_sgn(y) * (mpq_class(1) << 2000);
+  else
+    mpfr_get_q(result.get_mpq_t(), y);
+  mpfr_clear(y);
+  mpfr_set_emin(old_least);
+  mpfr_set_emax(old_greatest);
+  return result;
+}
+
 int multiply_add(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y, mpfr_srcptr z, mpfr_rnd_t to) {
   return mpfr_fma(r, x, y, z, to);
 }
@@ -98,11 +120,11 @@ int multiply_add(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y, mpfr_srcptr z, mpfr_r
 } // namespace
 
 line ray_of(const point& origin, const point& direction) {
-  return {exactly(origin), exactly(direction), false};
+  return {exactly(origin), exactly(direction)};
 }
 
 line segment_of(const point& origin, const point& end) {
-  line l{exactly(origin), exactly(end), true};
+  line l{exactly(origin), exactly(end), 0, mpq_class(1)};
   for (unsigned a = 0; a < 3; ++a)
     l.velocity[a] -= l.origin[a];
   return l;
@@ -110,10 +132,13 @@ line segment_of(const point& origin, const point& end) {
 
 box box_of(const point& lo, const point& hi) { return {exactly(lo), exactly(hi)}; }
 
-bool touches(const line& l, const box& b) { return !in_box(l, b, 7, 7).empty(); }
-bool crosses(const line& l, const box& b) { return !in_box(l, b, flat(b), flat(b)).empty(); }
+bool meets(const line& l, const box& b, unsigned lower_closed, unsigned upper_closed) {
+  return !in_box(l, b, lower_closed, upper_closed).empty();
+}
+bool touches(const line& l, const box& b) { return meets(l, b, 7, 7); }
+bool crosses(const line& l, const box& b) { return meets(l, b, flat(b), flat(b)); }
 bool owns(const line& l, const box& b, unsigned closed_far) {
-  return !in_box(l, b, 7, closed_far | flat(b)).empty();
+  return meets(l, b, 7, closed_far | flat(b));
 }
 
 std::optional<std::pair<mpq_class, mpq_class>> range_in(const line& l, const box& b) {
@@ -122,6 +147,27 @@ std::optional<std::pair<mpq_class, mpq_class>> range_in(const line& l, const box
     return std::nullopt;
   return std::pair(r.first, r.last);
 }
+
+std::optional<part> common_part(const line& l, const box& b) {
+  const auto range = range_in(l, b);
+  if (!range)
+    return std::nullopt;
+  part p{range->first, range->second, 0, 0};
+  for (unsigned a = 0; a < 3; ++a)
+    if (const mpq_class &o = l.origin[a], &d = l.velocity[a]; d != 0) {
+      const bool back = d < 0;
+      const mpq_class at_near = ((back ? b.hi[a] : b.lo[a]) - o) / d;
+      const mpq_class at_far = ((back ? b.lo[a] : b.hi[a]) - o) / d;
+      if (at_near == p.first)
+        p.entered |= (back ? 2u : 1u) << (2 * a);
+      if (at_far == p.last)
+        p.left |= (back ? 1u : 2u) << (2 * a);
+    }
+  return p;
+}
+
+double nearest_double(const mpq_class& x) { return nearest(x, 53, -1021, 1024).get_d(); }
+double nearest_float(const mpq_class& x) { return nearest(x, 24, -125, 128).get_d(); }
 
 mpq_class plane_exactly(double origin, double spacing, std::uint32_t k) {
   return mpq_class(origin) + k * mpq_class(spacing);

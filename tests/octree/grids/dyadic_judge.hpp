@@ -1,7 +1,7 @@
 #pragma once
 /// What a line meets between planes, fast and exact: arrivals are fractions of GMP's integers over
 /// one power of two, compared as such where doubles with room to spare do not tell. A second judge
-/// beside rational_cells.hpp, which judges a part of its answers.
+/// beside rational.hpp, which judges a part of its answers.
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -277,22 +277,21 @@ private:
     ++t_.sampled;
     const rational::line exact = l.rational();
     for (const triple& v : occupied_) {
-      rational::cell c;
+      rational::box c;
       for (unsigned a = 0; a < 3; ++a) {
-        c.lower[a] = planes_[a][v[a]];
-        c.upper[a] = planes_[a][v[a] + 1u];
+        c.lo[a] = planes_[a][v[a]];
+        c.hi[a] = planes_[a][v[a] + 1u];
       }
       const auto is = rational::common_part(exact, c);
-      c.upper_closed = closed_far(v);
       if (is.has_value() != ((touched & bit(v)) != 0) ||
-          rational::meets(exact, c) != ((owned & bit(v)) != 0))
+          rational::meets(exact, c, 7, closed_far(v)) != ((owned & bit(v)) != 0))
         fails(judges_differ, "touched or owned");
       const auto p = line.through(
           g_.planes.voxel({at_.base[0] + v[0], at_.base[1] + v[1], at_.base[2] + v[2]}));
       if (!is || !p)
         continue;
       mpq_class square = 0;
-      for (const mpq_class& d : exact.direction)
+      for (const mpq_class& d : exact.velocity)
         square += d * d;
       const mpq_class duration = is->last - is->first, length = duration * duration * square;
       const auto squared = [](double x) { return mpq_class(mpq_class(x) * mpq_class(x)); };

@@ -6,7 +6,7 @@
 #include <generate/random.hpp>
 #include <graze/octree/exact_line.hpp>
 #include <graze/octree/grid.hpp>
-#include <graze/oracle/rational_cells.hpp>
+#include <graze/oracle/rational.hpp>
 #include <variant>
 #include <vector>
 
@@ -166,14 +166,14 @@ struct hard_line {
   }
   [[nodiscard]] oracle::rational::line rational() const {
     if (const ray* r = std::get_if<ray>(&given)) {
-      oracle::rational::line l = oracle::rational::ray_from(r->origin(), r->direction());
+      oracle::rational::line l = oracle::rational::ray_of(r->origin(), r->direction());
       l.first = mpq_class(part.first());
       if (part.last() < INFINITY)
         l.last = mpq_class(part.last());
       return l;
     }
     const segment& s = std::get<segment>(given);
-    return oracle::rational::between(s.from(), s.to());
+    return oracle::rational::segment_of(s.from(), s.to());
   }
 };
 

@@ -11,20 +11,20 @@ namespace rational = graze::oracle::rational;
 
 namespace {
 
-rational::cell cell_of(const hard_grid& g, const std::array<std::uint32_t, 3>& index) {
-  rational::cell c;
+rational::box cell_of(const hard_grid& g, const std::array<std::uint32_t, 3>& index) {
+  rational::box c;
   for (unsigned a = 0; a < 3; ++a) {
-    c.lower[a] = g.plane(a, index[a]);
-    c.upper[a] = g.plane(a, g.planes.flat(static_cast<int>(a)) ? 0 : index[a] + 1);
+    c.lo[a] = g.plane(a, index[a]);
+    c.hi[a] = g.plane(a, g.planes.flat(static_cast<int>(a)) ? 0 : index[a] + 1);
   }
   return c;
 }
 
 /// Bits of the axes on which it is flat.
-unsigned flat_axes(const rational::cell& c) {
+unsigned flat_axes(const rational::box& c) {
   unsigned flat = 0;
   for (unsigned a = 0; a < 3; ++a)
-    flat |= c.lower[a] == c.upper[a] ? 1u << a : 0;
+    flat |= c.lo[a] == c.hi[a] ? 1u << a : 0;
   return flat;
 }
 
@@ -34,17 +34,14 @@ struct tally {
 
 /// All that is said of a line and a cell; `far`: upper planes that the half-open cell includes.
 void compare(const exact_line& line, const rational::line& exact, const slabs& cell,
-             rational::cell c, unsigned far, tally& n) {
+             const rational::box& c, unsigned far, tally& n) {
   const unsigned flat = flat_axes(c);
   ++n.asked;
-  const bool touched = rational::meets(exact, c);
+  const bool touched = rational::meets(exact, c, 7, 7);
   REQUIRE(line.touches(cell) == touched);
-  c.lower_closed = c.upper_closed = flat;
-  const bool crossed = rational::meets(exact, c);
+  const bool crossed = rational::meets(exact, c, flat, flat);
   REQUIRE(line.crosses(cell) == crossed);
-  c.lower_closed = 7;
-  c.upper_closed = far | flat;
-  const bool owned = rational::meets(exact, c);
+  const bool owned = rational::meets(exact, c, 7, far | flat);
   REQUIRE(line.owns(cell) == owned);
   n.touched += touched;
   n.crossed += crossed;
@@ -59,7 +56,7 @@ void compare(const exact_line& line, const rational::line& exact, const slabs& c
   REQUIRE(p->left == is->left);
   n.corners += std::popcount(p->entered) > 1 || std::popcount(p->left) > 1;
   mpq_class square = 0;
-  for (const mpq_class& d : exact.direction)
+  for (const mpq_class& d : exact.velocity)
     square += d * d;
   const mpq_class duration = is->last - is->first;
   const auto within = [&](const bounds& b, const mpq_class& x, bool squared) {
@@ -121,14 +118,14 @@ TEST_CASE("octree.exact_line: boxes of any doubles, flat ones included", "[mpfr]
     const hard_grid g = make_grid(r, 5);
     const place at = make_place(r, g.planes);
     box b{};
-    rational::cell c;
+    rational::box c;
     for (unsigned a = 0; a < 3; ++a) {
       const int axis = static_cast<int>(a);
       const std::uint32_t k = at.base[a];
       b.lo[a] = g.planes.lower(axis, k);
       b.hi[a] = r.one_in(3) ? b.lo[a] : g.planes.upper(axis, k + at.extent[a]);
-      c.lower[a] = mpq_class(b.lo[a]);
-      c.upper[a] = mpq_class(b.hi[a]);
+      c.lo[a] = mpq_class(b.lo[a]);
+      c.hi[a] = mpq_class(b.hi[a]);
     }
     const hard_line l = make_line(r, g, at);
     INFO("box " << i);
@@ -165,13 +162,13 @@ TEST_CASE("octree.exact_line: comparisons of arrivals that differ by ulps, in ev
       const double x = o[0] + near_one(r), t = (x - o[0]) / d[0];
       const double y = steps_away(o[1] + t * d[1], r.between(-2, 2));
       box b{{-4, y, -4}, {x, 8, 4}};
-      rational::cell c;
+      rational::box c;
       for (unsigned a = 0; a < 3; ++a) {
-        c.lower[a] = mpq_class(b.lo[a]);
-        c.upper[a] = mpq_class(b.hi[a]);
+        c.lo[a] = mpq_class(b.lo[a]);
+        c.hi[a] = mpq_class(b.hi[a]);
       }
-      const bool is = rational::meets(rational::ray_from(o, d), c);
-      const bool as_segment = rational::meets(rational::between(o, d), c);
+      const bool is = rational::touches(rational::ray_of(o, d), c);
+      const bool as_segment = rational::touches(rational::segment_of(o, d), c);
       const ray line = *ray::make(o, d);
       const segment between = *segment::make(o, d);
       bool found = false, found_between = false;

@@ -152,15 +152,15 @@ TEST_CASE("octree.voxel_rays: over grids exact walks report what rational number
       const rational::line exact = l.rational();
       std::vector<judged> truth;
       for (const index3& v : occupied) {
-        rational::cell c;
-        c.upper_closed = 0;
+        rational::box c;
+        unsigned upper_closed = 0;
         for (unsigned a = 0; a < 3; ++a) {
-          c.lower[a] = planes[a][v[a] - at.base[a]];
-          c.upper[a] = planes[a][v[a] - at.base[a] + 1];
+          c.lo[a] = planes[a][v[a] - at.base[a]];
+          c.hi[a] = planes[a][v[a] - at.base[a] + 1];
           if (v[a] + 1 == g.planes.count(static_cast<int>(a)))
-            c.upper_closed |= 1u << a;
+            upper_closed |= 1u << a;
         }
-        judged j{v, false, rational::meets(exact, c), 0, 0};
+        judged j{v, false, rational::meets(exact, c, 7, upper_closed), 0, 0};
         if (const auto p = rational::common_part(exact, c)) {
           j.touched = true;
           j.first = p->first;

@@ -18,12 +18,14 @@ bool owns(const point& origin, const point& direction, const point& lo, const po
 std::optional<std::pair<mpq_class, mpq_class>> range_in(const point& origin, const point& direction,
                                                         const point& lo, const point& hi);
 
-/// A ray or a segment: origin + t velocity, t >= 0, to t = 1 for a segment.
+/// {origin + t velocity : first <= t}, to t = last if there is one; velocity not 0.
 struct line {
   std::array<mpq_class, 3> origin, velocity;
-  bool segment;
+  mpq_class first = 0;
+  std::optional<mpq_class> last{};
 };
 line ray_of(const point& origin, const point& direction);
+/// t = 0 at `origin`, 1 at `end`.
 line segment_of(const point& origin, const point& end);
 
 /// lo <= hi; flat where they are equal.
@@ -32,6 +34,9 @@ struct box {
 };
 box box_of(const point& lo, const point& hi);
 
+/// The line has a point in the box of which, where bit a of the masks is set, the lower and the upper plane
+/// of axis a are a part.
+bool meets(const line& l, const box& b, unsigned lower_closed, unsigned upper_closed);
 /// The same questions for these. The interior of a flat box is that within its plane, line or point; on
 /// an axis where it is flat the half-open box is closed.
 bool touches(const line& l, const box& b);
@@ -39,6 +44,18 @@ bool crosses(const line& l, const box& b);
 bool owns(const line& l, const box& b, unsigned closed_far = 0);
 /// The first and last t at which the line is in the closed box.
 std::optional<std::pair<mpq_class, mpq_class>> range_in(const line& l, const box& b);
+
+/// What a line and a closed box have in common. Faces: bit 2 axis, and the next one for the upper face;
+/// those that are reached at the very first t, and at the very last.
+struct part {
+  mpq_class first, last;
+  unsigned entered, left;
+};
+std::optional<part> common_part(const line& l, const box& b);
+
+/// x rounded to the nearest double, or float, ties to even. By MPFR; subnormal numbers included.
+double nearest_double(const mpq_class& x);
+double nearest_float(const mpq_class& x);
 
 /// Planes of an axis as those of planes.hpp, by GMP's and MPFR's arithmetic; `plane_added` step by step,
 /// and remembered for the axes that were asked about last.
