@@ -21,6 +21,7 @@
 /// Where f is not defined there is no surface: {f = 0} holds points at which f is defined, that is,
 /// at which every part of the formula is (min(sqrt(x), y) is not, for x < 0).
 #include <graze/expected.hpp>
+#include <graze/octree/certified_hit.hpp>
 #include <graze/octree/inclusion.hpp>
 #include <graze/octree_formula/evaluate.hpp>
 #include <memory>
@@ -66,6 +67,11 @@ public:
   /// be tighter (of min and max, as in surfaces.hpp: their lower, or upper, end).
   [[nodiscard]] bool natural_extension_suffices() const { return program_->tight; }
   [[nodiscard]] const tape::program& program() const { return *program_; }
+
+  /// What certified_search leaves open along a ray in the domain, decided where that can be: where f is
+  /// a polynomial, and where it has no zero but jumps, has a pole, or ends.
+  [[nodiscard]] certified_hit look_closer(const ray& r, const box& domain,
+                                          const certified_hit& found) const;
 
 private:
   const tape::program* program_;

@@ -37,6 +37,19 @@ struct certified_hit {
   friend bool operator==(const certified_hit&, const certified_hit&) = default;
 };
 
+/// What was found of a ray, or, where that leaves something open (undecided, or a hit that is not unique)
+/// and the surface can look closer, what it finds: its member look_closer(ray, domain, found), in any
+/// rounding mode. Within no scope.
+template <Surface F>
+[[nodiscard]] certified_hit looked_closer(const F& f, const ray& r, const box& domain,
+                                          const certified_hit& found) {
+  if constexpr (requires { f.look_closer(r, domain, found); })
+    if ((found.outcome == verdict::undecided || (found.outcome == verdict::hit && !found.unique)) &&
+        !results_are_flushed())
+      return f.look_closer(r, domain, found);
+  return found;
+}
+
 /// The lanes of certified_search, one of them, over scalar intervals of B. Bit 0 of a mask.
 template <rounding::Backend B> struct one_lane {
   static constexpr std::size_t count = 1;
@@ -346,6 +359,11 @@ public:
 
   /// Any rounding mode; any thread. `steps`, if any, is increased by the intervals of t looked at.
   [[nodiscard]] certified_hit first_hit(const ray& r, std::uint64_t* steps = nullptr) const {
+    return looked_closer(surface_, r, domain_, search_along(r, steps));
+  }
+
+private:
+  [[nodiscard]] certified_hit search_along(const ray& r, std::uint64_t* steps) const {
     using search = certified_search<one_lane<B>, F>;
     [[maybe_unused]] const typename B::scope scope;
     if (results_are_flushed())
@@ -367,7 +385,6 @@ public:
     return s.result(0);
   }
 
-private:
   certified_traversal(const F& surface, const box& domain) : surface_(surface), domain_(domain) {}
   F surface_;
   box domain_;

@@ -30,7 +30,8 @@ template <Surface F> struct lane_kernels {
   /// The same for `count` rays, two in turn; counts are added to.
   void (*first_hits)(const F&, const box& domain, const sparse_octree&, int level, const ray* rays,
                      std::size_t count, surface_hit* hits, traversal_counts*);
-  /// certified_traversal<F>::first_hit of `count` rays; `steps`, if any, is added to.
+  /// certified_traversal<F>::first_hit of `count` rays, but for closer looks; `steps`, if any, is added
+  /// to.
   void (*certified_hits)(const F&, const box& domain, const ray* rays, std::size_t count,
                          certified_hit* hits, std::uint64_t* steps);
   /// What scalar_judge says of an octant, and what voxelization adds below it. Within a scope of
@@ -177,6 +178,8 @@ public:
                   std::uint64_t* steps = nullptr) const {
     assert(rays.size() == hits.size());
     kernels_->certified_hits(surface_, domain_, rays.data(), rays.size(), hits.data(), steps);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      hits[i] = looked_closer(surface_, rays[i], domain_, hits[i]);
   }
 
 private:
