@@ -83,6 +83,7 @@ public:
     constexpr double ulp_of_float = 0x1p29; // in those of double
     return o.as_float ? o.tolerance.value_or(usual_tolerance) * ulp_of_float : o.tolerance;
   }
+  [[nodiscard]] bool in_float() const override { return plan_->options.as_float; }
   [[nodiscard]] std::size_t at_once() const override { return std::max<std::size_t>(64, batch()); }
 
   void visit(const trial& t, visited& out) override { alone(t, out); }

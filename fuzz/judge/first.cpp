@@ -21,13 +21,13 @@ void miss_first_crossed(const trial& t, const truth& exact, verdict& v) {
     v.findings |= bit(finding::gross_miss);
 }
 
-/// A box with its faces moved outwards, as far_spurious says.
-rational::box dilated(const trial& t, octant_number v) {
+/// A box with its faces moved outwards, as allowance::reach says.
+rational::box dilated(const trial& t, octant_number v, double share) {
   rational::box b = rational_cell(t, v);
   for (unsigned a = 0; a < 3; ++a) {
     const mpq_class reach =
         (abs(mpq_class(t.origin[a])) + std::max<mpq_class>(abs(b.lo[a]), abs(b.hi[a]))) *
-            mpq_class(0x1p-47) +
+            mpq_class(share) +
         mpq_class(0x1p-1000);
     b.lo[a] -= reach;
     b.hi[a] += reach;
@@ -37,9 +37,9 @@ rational::box dilated(const trial& t, octant_number v) {
 
 /// An untouched cell for which rounding may account, but which the ray comes to only after it has left
 /// the first crossed one.
-bool behind_first_crossed(const trial& t, const truth& exact, octant_number v) {
+bool behind_first_crossed(const trial& t, const truth& exact, octant_number v, double share) {
   const auto line = rational_line(t);
-  const auto there = rational::range_in(line, dilated(t, v));
+  const auto there = rational::range_in(line, dilated(t, v, share));
   const auto first = rational::range_in(line, rational_cell(t, exact.first_crossed));
   return there && first && there->first > first->second;
 }
@@ -133,7 +133,7 @@ verdict verdict_of(const truth& exact, const visited& answer) {
 } // namespace
 
 verdict judge_first(const trial& t, const truth& exact, const visited& answer, promise p,
-                    double tolerance) {
+                    const allowance& allowed) {
   verdict v = verdict_of(exact, answer);
   const bool soonest = p == promise::first_touched;
   if (answer.size() > 1 || answer.repeated()) { // not one cell
@@ -154,9 +154,9 @@ verdict judge_first(const trial& t, const truth& exact, const visited& answer, p
   const octant_number cell = answer[0];
   if ((exact.touched & bit_of(cell)) == 0) {
     v.spurious = bit_of(cell);
-    if (far_from(t, v.spurious) != 0)
+    if (far_from(t, v.spurious, allowed.reach) != 0)
       v.findings |= bit(finding::far_spurious);
-    else if (exact.crossed != 0 && behind_first_crossed(t, exact, cell))
+    else if (exact.crossed != 0 && behind_first_crossed(t, exact, cell, allowed.reach))
       miss_first_crossed(t, exact, v);
     else if (soonest && exact.touched != 0)
       miss_soonest();
@@ -168,12 +168,12 @@ verdict judge_first(const trial& t, const truth& exact, const visited& answer, p
     miss_first_crossed(t, exact, v);
   else if (soonest && (exact.soonest & bit_of(cell)) == 0)
     miss_soonest();
-  judge_remarks(t, cell, answer.said(), tolerance, v);
+  judge_remarks(t, cell, answer.said(), allowed.tolerance, v);
   return v;
 }
 
 verdict judge_elsewhere(const trial& t, const truth& exact, const visited& answer, promise p,
-                        double tolerance) {
+                        const allowance& allowed) {
   verdict v = verdict_of(exact, answer);
   trial there = t; // a block of this one voxel
   std::copy(answer.elsewhere()->begin(), answer.elsewhere()->end(), there.base.begin());
@@ -187,8 +187,8 @@ verdict judge_elsewhere(const trial& t, const truth& exact, const visited& answe
   if (at.touched == 0) {
     v.spurious = 1; // one voxel, which is not the block's
     v.visited |= 1;
-    const auto near = rational::range_in(line, dilated(there, 0));
-    if (far_from(there, 1) != 0)
+    const auto near = rational::range_in(line, dilated(there, 0, allowed.reach));
+    if (far_from(there, 1, allowed.reach) != 0)
       v.findings |= bit(finding::far_spurious);
     else if (first && near && near->first > first->second)
       miss_first_crossed(t, exact, v);
@@ -205,11 +205,12 @@ verdict judge_elsewhere(const trial& t, const truth& exact, const visited& answe
       v.findings |= bit(finding::miss);
     }
   }
-  judge_remarks(there, 0, answer.said(), tolerance, v);
+  judge_remarks(there, 0, answer.said(), allowed.tolerance, v);
   return v;
 }
 
-verdict judge_any(const trial& t, const truth& exact, const visited& answer) {
+verdict judge_any(const trial& t, const truth& exact, const visited& answer,
+                  const allowance& allowed) {
   verdict v = verdict_of(exact, answer);
   v.visited = 0; // it says no cell
   const bool hit = answer.said().hit.value_or(answer.size() != 0);
@@ -222,7 +223,7 @@ verdict judge_any(const trial& t, const truth& exact, const visited& answer) {
   }
   if (hit && exact.touched == 0 && !t.map) {
     v.spurious = 1; // one answer too many
-    if (far_from(t, t.all()) == t.all())
+    if (far_from(t, t.all(), allowed.reach) == t.all())
       v.findings |= bit(finding::far_spurious);
   }
   return v;

@@ -6,13 +6,14 @@ namespace graze::fuzz {
 
 /// promise::first and first_touched: one cell or none, and what is said of its entry.
 verdict judge_first(const trial& t, const truth& exact, const visited& answer, promise p,
-                    double tolerance);
+                    const allowance& allowed);
 /// The same where the one cell is a voxel of the trial's map outside of the block: right if it is touched, and
 /// entered no later than the first crossed one of the block (for first_touched: than the soonest).
 verdict judge_elsewhere(const trial& t, const truth& exact, const visited& answer, promise p,
-                        double tolerance);
+                        const allowance& allowed);
 /// promise::any. That there is one is no finding in a map, where it may be outside of the block.
-verdict judge_any(const trial& t, const truth& exact, const visited& answer);
+verdict judge_any(const trial& t, const truth& exact, const visited& answer,
+                  const allowance& allowed);
 /// promise::count.
 verdict judge_count(const trial& t, const truth& exact, const visited& answer);
 
@@ -25,8 +26,8 @@ struct surface_crossings {
 /// interior of another, and where a cell is flat: it has no inside.
 std::optional<surface_crossings> crossings_of(const trial& t);
 
-/// Of these cells those that the ray does not even touch with their faces moved outwards: far_spurious
-/// says by how much.
-octant_set far_from(const trial& t, octant_set cells);
+/// Of these cells those that the ray does not even touch with their faces moved outwards by this share
+/// (allowance::reach).
+octant_set far_from(const trial& t, octant_set cells, double share);
 
 } // namespace graze::fuzz

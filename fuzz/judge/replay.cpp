@@ -88,8 +88,7 @@ replay_result replay(const trial& given, traversal& under_test) {
   r.oracles_agree = exact.touched == fast.touched && exact.crossed == fast.crossed &&
                     exact.owned == fast.owned && exact.soonest == fast.soonest &&
                     exact.not_after == fast.not_after;
-  const verdict v = judge(t, exact, answer, under_test.promises(),
-                          under_test.tolerance().value_or(usual_tolerance));
+  const verdict v = judge(t, exact, answer, under_test.promises(), allowance_of(under_test));
   r.findings = v.findings;
   r.declined = v.declined;
   return r;

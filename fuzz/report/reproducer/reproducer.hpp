@@ -34,9 +34,11 @@ struct reproduction {
   std::string options; ///< how graze-fuzz is asked for it: "--traversal NAME"
   promise promises;
   finding kind;
-  visited answer;
-  replay_result judged;  ///< by rationals
-  octant_number subject; ///< the octant that the finding is about: the first that was missed, ...
+  visited answer{};
+  allowance allowed{};    ///< to rounding
+  replay_result judged{}; ///< by rationals
+  octant_number subject =
+      0; ///< the octant that the finding is about: the first that was missed, ...
   std::optional<external_options> external{}; ///< how a test asks the traversal
 
   /// The octant's box.

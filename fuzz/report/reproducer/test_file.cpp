@@ -55,7 +55,7 @@ expectation expectation_of(const reproduction& r) {
         e.one_of = places_of(t, exact.lengths[i]);
     break;
   case finding::far_spurious:
-    e.none_of = places_of(t, far_spurious(t, exact, r.answer));
+    e.none_of = places_of(t, far_spurious(t, exact, r.answer, r.allowed));
     break;
   case finding::spurious:
     e.none_of = places_of(t, spurious(exact, r.answer, r.promises));
