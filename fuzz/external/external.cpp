@@ -47,11 +47,13 @@ std::optional<std::size_t> wrong_echo(const echoed& echo) {
 
 std::string wrong_echo_text(const echoed& echo, std::size_t place, line_format format) {
   const double sent = hard_numbers()[place], came = echo.numbers[place];
+  const bool is_ulp_off = came == step_ulps(sent, 1) || came == step_ulps(sent, -1);
   return fmt::format(
       "reads or writes doubles wrong: of \"echo\", {} (bits {}) came back as {} (bits "
-      "{}); {} (docs/adapters.md#numbers)",
+      "{}); {}{} (docs/adapters.md#numbers)",
       sent, bits_of(sent), came, bits_of(came),
-      format == line_format::json ? "take and give back the strings of \"bits\"" : "take --bits");
+      format == line_format::json ? "take and give back the strings of \"bits\"" : "take --bits",
+      is_ulp_off ? ", or, in Rust, serde_json's feature float_roundtrip" : "");
 }
 
 /// The beginning of what a peer has said, on one line.
@@ -492,6 +494,23 @@ std::vector<std::string> notices_of(const command_plan& p, const echoed& echo,
 
 } // namespace
 
+std::string first_request(const trial& t, const external_options& options) {
+  trial sent = t;
+  if (options.as_float) {
+    visited rounded;
+    rounded.receive(rounded_to_float(t));
+    sent = trial_answered(t, rounded).value_or(t);
+  }
+  std::string text;
+  constexpr std::size_t first = 0;
+  const opening told{options.echo, true};
+  if (options.batch == 0)
+    append_request(text, sent, 0, options.format, told);
+  else
+    append_batch(text, {&sent, 1}, {&first, 1}, 0, options.format, told);
+  return text;
+}
+
 received_ray rounded_to_float(const trial& t) {
   received_ray r{adapter::to_float(t.origin), adapter::to_float(t.direction)};
   if (t.end) {
@@ -592,7 +611,9 @@ expected<traversal_entry> external_traversal(const external_options& options) {
     shared->options.show_errors = options.show_errors;
     // others start as fast, or, on a machine that is busy, ten times slower
     shared->start_seconds = std::max(1.0, 10 * seconds);
+    shared->options.echo = shared->echo;
     traversal_entry entry = entry_of(shared, spelled(options));
+    entry.external = std::shared_ptr<const external_options>(shared, &shared->options);
     for (const std::string& notice : notices_of(*shared, tried.echo(), first))
       entry.notices.push_back(
           fmt::format("the command {}: {}", shell_word(options.command), notice));

@@ -8,9 +8,9 @@ namespace graze::fuzz {
 
 namespace {
 
-constexpr double farthest = 16;    ///< of the origin, in root sizes
-constexpr double widest = 0x1p40;  ///< between components, and from 1 or the root's size
-constexpr double finest = 0x1p-80; ///< a component of the origin, in root sizes
+constexpr double farthest = 16;     ///< of the origin, in root sizes
+constexpr double widest = 0x1p40;   ///< between components, and from 1 or the root's size
+constexpr double finest = 0x1p-80;  ///< a component of the origin, in root sizes
 constexpr double steepest = 0x1p20; ///< between the edges of cells
 constexpr double normal = std::numeric_limits<double>::min();
 

@@ -87,15 +87,24 @@ bool right_t(const exact_entry& e, double said, double tolerance) {
   return within(mpq_class(said) - e.at, tolerance * e.unit);
 }
 
+/// The way to the entry, and by how much what is said of it may be off.
+struct exact_way {
+  exact_way(const exact_entry& e, double tolerance) {
+    const mpf_class speed = sqrt(mpf_class(e.speed, bits));
+    length = mpf_class(e.at, bits) * speed;
+    allowed = tolerance * std::max(e.unit * speed.get_d(), exact_entry::least);
+  }
+  static constexpr mp_bitcnt_t bits = 2400; ///< the square root of a double's square has no fewer
+  mpf_class length{0, bits};
+  double allowed = 0;
+};
+
 bool right_distance(const exact_entry& e, double said, double tolerance) {
-  constexpr mp_bitcnt_t bits = 2400; // the square root of a double's square has no fewer
-  const mpf_class speed = sqrt(mpf_class(e.speed, bits));
-  const mpf_class exact = mpf_class(e.at, bits) * speed;
+  const exact_way way(e, tolerance);
   if (!std::isfinite(said))
-    return said > 0 && exact > most;
-  const double allowed = tolerance * std::max(e.unit * speed.get_d(), exact_entry::least);
-  const mpf_class off = mpf_class(said, bits) - exact;
-  return !std::isfinite(allowed) || abs(off) <= mpf_class(allowed, bits);
+    return said > 0 && way.length > most;
+  const mpf_class off = mpf_class(said, exact_way::bits) - way.length;
+  return !std::isfinite(way.allowed) || abs(off) <= mpf_class(way.allowed, exact_way::bits);
 }
 
 /// The entry lies on the face, or the ray comes to its plane within the tolerance of it: at an edge each
@@ -121,6 +130,25 @@ void judge_remarks(const trial& t, octant_number v, const remarks& said, double 
     result.findings |= bit(finding::face);
 }
 
+/// The least double that is not below x.
+double at_least(const mpq_class& x) {
+  if (x > mpq_class(most))
+    return std::numeric_limits<double>::infinity();
+  if (x < mpq_class(-most))
+    return -most;
+  const double near = x.get_d(); // towards 0
+  return mpq_class(near) < x ? std::nextafter(near, std::numeric_limits<double>::infinity()) : near;
+}
+
+/// The doubles from which to which x is within what is allowed; above the greatest double all there are.
+std::array<double, 2> around(const mpq_class& x, double allowed) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(allowed))
+    return {-infinite, infinite};
+  const mpq_class off(allowed);
+  return {at_least(x - off), x > mpq_class(most) ? infinite : -at_least(-x - off)};
+}
+
 verdict verdict_of(const truth& exact, const visited& answer) {
   verdict v;
   v.touched = exact.touched;
@@ -131,6 +159,20 @@ verdict verdict_of(const truth& exact, const visited& answer) {
 }
 
 } // namespace
+
+right_entry entry_into(const trial& t, octant_number v, double tolerance) {
+  const exact_entry e(t, v);
+  const exact_way way(e, tolerance);
+  right_entry right{
+      around(e.at, tolerance * e.unit), around(mpq_class(way.length), way.allowed), {}};
+  for (unsigned a = 0; a < 3; ++a)
+    for (const bool upper : {false, true})
+      if (right_face(e, {static_cast<std::uint8_t>(a), upper}, tolerance))
+        right.faces.push_back({upper ? '+' : '-', "xyz"[a]});
+  if (within(e.at, tolerance * e.unit))
+    right.faces.emplace_back("none");
+  return right;
+}
 
 verdict judge_first(const trial& t, const truth& exact, const visited& answer, promise p,
                     const allowance& allowed) {

@@ -1,6 +1,8 @@
 #pragma once
 /// Judges of answers that list no cells: the first one, whether there is one, a number of crossings.
 #include <judge/judge.hpp>
+#include <string>
+#include <vector>
 
 namespace graze::fuzz {
 
@@ -16,6 +18,14 @@ verdict judge_any(const trial& t, const truth& exact, const visited& answer,
                   const allowance& allowed);
 /// promise::count.
 verdict judge_count(const trial& t, const truth& exact, const visited& answer);
+
+/// What judge() finds right of the entry into a cell.
+struct right_entry {
+  std::array<double, 2> t, distance; ///< from and to, both right
+  std::vector<std::string> faces; ///< "-x", ...; "none" where the origin may be taken to be inside
+};
+/// Of a cell that the ray touches.
+right_entry entry_into(const trial& t, octant_number v, double tolerance);
 
 /// What is known about the crossings of the surface of all cells together.
 struct surface_crossings {

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <graze/support/text.hpp>
+#include <judge/answer_text.hpp>
 #include <judge/exact_cells.hpp>
 #include <judge/replay.hpp>
 #include <limits>
@@ -90,6 +91,8 @@ replay_result replay(const trial& given, traversal& under_test) {
                     exact.not_after == fast.not_after;
   const verdict v = judge(t, exact, answer, under_test.promises(), allowance_of(under_test));
   r.findings = v.findings;
+  if (v.findings != 0)
+    r.answer = answer_text(t, exact, answer, under_test.promises(), allowance_of(under_test));
   r.declined = v.declined;
   return r;
 }

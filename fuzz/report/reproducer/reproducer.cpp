@@ -44,6 +44,10 @@ octant_number subject_of(const trial& t, const truth& exact, const visited& answ
   case finding::far_spurious:
     set = far_spurious(t, exact, answer, allowed);
     break;
+  case finding::distance:
+  case finding::face:
+    set = answer.set();
+    break;
   case finding::spurious:
     set = spurious(exact, answer, p);
     break;
@@ -106,10 +110,13 @@ expected<written_reproducer> write_reproducer(const reproduction& r, const std::
   const std::filesystem::path within(folder);
   written_reproducer done{(within / reproducer_name(r)).string(), {}};
   std::vector<std::pair<std::string, std::string>> files{{done.path + ".txt", reproducer_text(r)}};
-  if (!r.at.end && r.at.cells() == cell_kind::cube) {
-    done.test = (within / test_file_name(r, written)).string();
+  done.shows_octant = !r.at.end && r.at.cells() == cell_kind::cube;
+  if (done.shows_octant) {
     files.emplace_back(done.path + ".cpp", reproducer_snippet(r));
     files.emplace_back(done.path + ".svg", reproducer_picture(r));
+  }
+  if (!r.at.map) {
+    done.test = (within / test_file_name(r, written)).string();
     files.emplace_back(done.test, test_file(r, written));
   }
   files.emplace_back(done.path + ".json", reproducer_json(r));
