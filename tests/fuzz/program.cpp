@@ -85,6 +85,9 @@ TEST_CASE("graze-fuzz run: bad input is one line and exit code 2", "[unit]") {
   refused("run --rays -5", "--rays");
   refused("run --seed -1", "--seed");
   refused("run --threads 0", "--threads");
+  for (const char* size : {"0", "-1", "nan"})
+    refused(std::string("run --scene map.npy --voxel-size=") + size,
+            "--voxel-size is not a length above 0");
   refused("run --save /no/such/folder/miss.jsonl", "cannot write");
   refused("run --nonsense", "nonsense");
   refused("", "subcommand");
