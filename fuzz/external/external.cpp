@@ -165,7 +165,8 @@ private:
   fault ready() {
     fault before = fault::none;
     if (process_.ours()) {
-      if (!process_.unread())
+      // what one says first may come now, after listen()
+      if ((is_fresh_ && is_unasked_) || !process_.unread())
         return fault::none;
       // it has ended since its last answer, or said what it was not asked
       line_.clear();
