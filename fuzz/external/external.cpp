@@ -143,7 +143,10 @@ public:
     default:
       return fmt::format("answered a first ray with what is no answer: \"{}\": {} (see "
                          "docs/adapters.md)",
-                         shown(line_), out.thrown().empty() ? "a NaN" : out.thrown());
+                         shown(line_),
+                         out.failed() == fault::not_a_number ? "a NaN"
+                         : out.thrown().empty()              ? "a line without end"
+                                                             : out.thrown());
     }
   }
   [[nodiscard]] const hello& greeting() const { return hello_; }
