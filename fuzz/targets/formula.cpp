@@ -33,5 +33,8 @@ std::vector<std::string> fuzz::target::seeds() {
           "(((",
           "2(x+1",
           "x^y^z",
+          "w=sqrt(5);(a=x-w;a**2)²+|y|%3-z⁻¹ = π",
+          "if(x<y and not(y>=0||z!=1), mod(x,2), clamp(r,-1,theta))",
+          "||x|-1|·2−phi;",
           "min(x,)"};
 }
