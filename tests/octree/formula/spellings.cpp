@@ -213,6 +213,7 @@ TEST_CASE("octree.formula: a choice is known where its comparison is decided", "
   is(on("if(x>0,sqrt(x),5)", I(1, 4)), 1, 2);
   is(on("if(x>0,sqrt(x),5)", I(-1, 4)), 0, 5);
   is(on("if(sqrt(x)>2,3,5)", I(-2, -1)), 1, 1); // not defined
+  is(on("if(sqrt(x)>2,3,3)", I(-2, -1)), 1, 1);
   is(on("if(x>1 and sqrt(x-1)>1,3,5)", I(0, 0.5)), 5, 5);
   is(on("if(x>1 or sqrt(x-1)>1,3,5)", I(2, 3)), 3, 3);
   is(on("if(x>0,sqrt(x),5)+if(x>0,5,sqrt(-x))", I(-4, -1)), 6, 7);
