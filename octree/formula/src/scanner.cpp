@@ -55,7 +55,8 @@ constexpr sign signs[] = {
 constexpr std::string_view letters_of_names[] = {"\u03c0", "\u03b8", "\u03c6", "\u03d5", "\u03c1"};
 
 /// '0' to '9', '+', '-', or 0 for what is no superscript.
-char plain(char32_t c) {
+char plain(const character& of) {
+  const char32_t c = of.is_valid ? of.code : 0;
   switch (c) {
   case 0xb9:
     return '1';
@@ -124,9 +125,9 @@ void scanner::read(std::size_t from) {
     if (rest.starts_with(letter))
       return found(mark::name, letter.size());
   std::size_t superscripts = 0;
-  while (superscripts < rest.size() && plain(first_character(rest.substr(superscripts)).code) != 0)
+  while (superscripts < rest.size() && plain(first_character(rest.substr(superscripts))) != 0)
     superscripts += first_character(rest.substr(superscripts)).length;
-  if (superscripts != 0 && first_character(rest).is_valid)
+  if (superscripts != 0)
     return found(mark::exponent, superscripts);
   for (const sign& s : signs)
     if (rest.starts_with(s.text))
@@ -137,7 +138,7 @@ void scanner::read(std::size_t from) {
 std::optional<std::string> exponent_in_ascii(std::string_view superscripts) {
   std::string r;
   for (; !superscripts.empty(); superscripts.remove_prefix(first_character(superscripts).length))
-    r += plain(first_character(superscripts).code);
+    r += plain(first_character(superscripts));
   const std::size_t first = r[0] == '-' || r[0] == '+' ? 1 : 0;
   if (first == r.size() ||
       !std::all_of(r.begin() + static_cast<std::ptrdiff_t>(first), r.end(), is_digit))

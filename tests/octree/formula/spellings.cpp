@@ -214,6 +214,14 @@ TEST_CASE("octree.formula: a choice is known where its comparison is decided", "
   is(on("if(x>0,sqrt(x),5)", I(-1, 4)), 0, 5);
   is(on("if(sqrt(x)>2,3,5)", I(-2, -1)), 1, 1); // not defined
   is(on("if(sqrt(x)>2,3,3)", I(-2, -1)), 1, 1);
+  is(on("if(x>0,5,sqrt(x-9))", I(-1, 1)), 5, 5);
+  is(on("if(x>0,sqrt(x-9),5)", I(-1, 1)), 5, 5);
+  is(on("if(0.1+0.2-0.3>0,5,7)", I(0)), 5, 7);
+  is(on("if(x>1 and x<3,5,7)", I(1.5, 2)), 5, 5);
+  is(on("if(x>1 and x<3,5,7)", I(1.5, 4)), 5, 7);
+  is(on("if(x>1 and x<3,5,7)", I(3, 4)), 7, 7);
+  is(on("if(x<1 or x>3 or x==2,5,7)", I(2, 2)), 5, 5);
+  is(on("if(x<1 or x>3 or x==2,5,7)", I(2.5, 3)), 7, 7);
   is(on("if(x>1 and sqrt(x-1)>1,3,5)", I(0, 0.5)), 5, 5);
   is(on("if(x>1 or sqrt(x-1)>1,3,5)", I(2, 3)), 3, 3);
   is(on("if(x>0,sqrt(x),5)+if(x>0,5,sqrt(-x))", I(-4, -1)), 6, 7);
@@ -271,6 +279,7 @@ TEST_CASE("octree.formula: spellings are refused with a way out", "[unit]") {
   refused("let w;y", 1, "let name");
   refused("(w=1;w)+w", 9, "unknown name 'w'");
   refused("a=r;r=2;x-r*a", 5, "used before it is defined");
+  refused("r=r+1;x-r", 1, "used before it is defined");
   refused("w=w+1;x-w", 3, "unknown name 'w'");
   refused("x+t", 3, "unknown name 't': define it before the formula, as in t = 1; ..., or set it");
   refused("x+f(y)", 3, "unknown function 'f'");
@@ -326,6 +335,9 @@ TEST_CASE("octree.formula: spellings are refused with a way out", "[unit]") {
   refused("x+\xe2\x80\x8f", 3, "found U+200F");
   refused("x+\xed\xa0\x80", 3, "the byte 0xED");
   refused("x+\xc0\xaf", 3, "the byte 0xC0");
+  refused("x+\xc3(", 3, "the byte 0xC3");
+  refused("x\xb2", 2, "the byte 0xB2");
+  refused("x²\xb2", 4, "the byte 0xB2", 3);
   refused("x²+(y", 7, "'(' in column 4", 6);
 }
 
@@ -435,6 +447,17 @@ TEST_CASE("octree.formula: definitions do not multiply work or memory", "[hardca
   CHECK(seconds(functions + "x") < 20);
   CHECK(seconds(factors + "x") < 20);
   CHECK_FALSE(formula::parse(conditions + "if(a1999,x,y)"));
+  const auto often = [](int uses) {
+    std::string text = "s=x";
+    for (int i = 2; i < 1000; ++i)
+      text.append("+y^").append(std::to_string(i)).append("*z");
+    text += ";y";
+    for (int i = 0; i < uses; ++i)
+      text += "+s";
+    return formula::parse(text);
+  };
+  CHECK(often(80).reason() == "");
+  CHECK(often(160).reason().find("more than 262144 terms in all") != std::string::npos);
   // and what people write is taken
   CHECK(formula::parse(conditions.substr(0, conditions.find("a9=")) + "if(a8,x,y)"));
   std::string bars(60'000, '|');

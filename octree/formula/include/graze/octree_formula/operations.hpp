@@ -201,12 +201,11 @@ template <class P> struct tape_lanes {
                                         const part& if_not) {
     const vector zero = P::zero();
     const mask yes = P::less(zero, a.lo), no = P::less_equal(a.hi, zero);
-    const mask first = P::either_nan(if_not.lo, if_not.hi), // hence no other
-        second = P::either_nan(if_positive.lo, if_positive.hi);
+    // the second where either is empty
     const vector lo = P::min_or_second(if_positive.lo, if_not.lo),
                  hi = P::max_or_second(if_positive.hi, if_not.hi);
-    const part hull = {P::select(first, if_positive.lo, P::select(second, if_not.lo, lo)),
-                       P::select(first, if_positive.hi, P::select(second, if_not.hi, hi))};
+    const mask alone = P::either_nan(if_not.lo, if_not.hi);
+    const part hull = {P::select(alone, if_positive.lo, lo), P::select(alone, if_positive.hi, hi)};
     const mask is_empty = P::either_nan(a.lo, a.hi);
     return {P::select(is_empty, a.lo,
                       P::select(yes, if_positive.lo, P::select(no, if_not.lo, hull.lo))),
