@@ -11,6 +11,7 @@
 namespace graze::octree {
 namespace {
 
+using tape::exact_literal;
 using tape::expressions;
 using tape::number;
 using tape::opcode;
@@ -245,8 +246,9 @@ private:
                                " characters");
     if (peek() == '.')
       return refuse(at_, "a second '.' in a number");
+    const std::size_t length = at_ - first;
     std::string text = "[";
-    text.append(text_.substr(first, at_ - first)).append(hexadecimal && !exponent ? "p0]" : "]");
+    text.append(text_.substr(first, length)).append(hexadecimal && !exponent ? "p0]" : "]");
     const auto value = text_to_interval(text);
     if (value.signal == exception::undefined_operation)
       return refuse(first, "not a number");
@@ -254,7 +256,8 @@ private:
       return refuse(first, "the number is too large for a double");
     last_ = ending::numeral;
     blanks();
-    return expressions::constant(number(value.value.lo, value.value.hi));
+    return expressions::constant(
+        number({value.value.lo, value.value.hi}, exact_literal(text_.substr(first, length))));
   }
 
   result named() {

@@ -3,6 +3,7 @@
 /// and without anything that depends on the number type over which it is run (evaluate.hpp).
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,9 @@ struct polynomial {
   std::uint32_t derivative; ///< also one of the program's; of a derivative without meaning
 };
 
+/// f as a polynomial with rational coefficients: what a closer look is taken at.
+struct exact_polynomial;
+
 /// A tape with all that it refers to.
 struct program {
   static constexpr unsigned most_registers = 128;
@@ -110,6 +114,8 @@ struct program {
   bool continuous = true;
   /// Its natural interval extension is its range but for rounding.
   bool tight = true;
+  /// Where f is a polynomial whose coefficients are rational and known, and which is not too large.
+  std::shared_ptr<const exact_polynomial> exact;
   std::string text; ///< of which it was compiled
 };
 
