@@ -6,6 +6,7 @@
 #include <cmath>
 #include <graze/octree_formula.hpp>
 #include <graze/octree_formula/lane_kernels.hpp>
+#include <graze/oracle/formula_tree.hpp>
 
 #include "../surface_judge.hpp"
 
@@ -187,6 +188,9 @@ TEST_CASE("octree.polynomials: roots at the ends of the way through the domain",
   decided("(x+y)^2", thirds, *ray::make({-3, 1, 0}, {1, 0, 0}));
   decided("(x-1)^2*(y-1)", thirds, *ray::make({-1, 3, 0}, {1, -1, 0}));
   decided("(x-1)^2+(y-1)^2+(z-1)^2", thirds, *ray::make({0, 2, 1}, {1, -1, 0}));
+  const ray touching = *ray::make({0, 2, 1}, {1, -1, 0});
+  CHECK(decided("(x-1)^2", thirds, touching).outcome == verdict::hit);
+  CHECK(decided("(x-1)^2+1e-40", thirds, touching).outcome == verdict::miss);
   // within the surface
   const certified_hit within =
       decided("(x+y)^2*(z-3)", thirds, *ray::make({-3, 3, 0.5}, {1, -1, 0}));
@@ -213,6 +217,41 @@ TEST_CASE("octree.polynomials: small and great scales", "[hardcase][exact]") {
   }
 }
 
+TEST_CASE("octree.polynomials: random ones with double and near roots are decided",
+          "[property][exact]") {
+  judge::random_source random(17);
+  oracle::random_bits bits(17);
+  judge::tally t;
+  for (int i = 0; i < 150; ++i) {
+    const std::string part = "(" + oracle::some_tree(bits, 4, true)->text + ")";
+    for (const std::string& text : {part + "*" + part, part + "*(" + part + "-1e-20)",
+                                    part + "*" + part + "+1e-40", part + "*" + part + "*" + part}) {
+      const auto f = formula::parse(text);
+      REQUIRE(f);
+      std::vector<ray> rays;
+      for (int k = 0; k < 4; ++k) {
+        vec3 o, d;
+        for (int a = 0; a < 3; ++a) {
+          o[a] = k == 0 ? std::round(random.in(-3, 3)) : random.in(-3, 3);
+          d[a] = k == 0 ? std::round(random.in(-2, 2)) / 2 : random.in(-1, 1);
+        }
+        if (const auto r = ray::make(o, d))
+          rays.push_back(*r);
+      }
+      const std::vector<certified_hit> hits = hits_of(*f, cube_of(2), rays);
+      const judge::exact_text exact(text);
+      for (std::size_t k = 0; k < rays.size(); ++k)
+        t.judge(exact, rays[k], cube_of(2), hits[k]);
+    }
+  }
+  INFO(t.first_wrong);
+  CHECK(t.wrong == 0);
+  CHECK(t.undecided == 0);
+  CHECK(t.hits > 250);
+  CHECK(t.shared > 200);
+  CHECK(t.misses > 300);
+}
+
 TEST_CASE(
     "octree.polynomials: enclosures at points are tight, near multiple turning points as well",
     "[property][exact]") {
@@ -231,9 +270,9 @@ TEST_CASE(
     };
     const rounding::upward::scope scope;
     using interval = bound<rounding::upward>;
+    const interval zero(0.0);
     for (int i = 0; i <= 6000; ++i) {
       const double x = i / 1000.0 - 3, beyond = std::nextafter(x, 4);
-      const interval zero(0.0);
       const interval at = f.surface()(interval(x), zero, zero),
                      between = f.surface()(interval(x, beyond), zero, zero);
       const mpq_class first = value(exact, x), last = value(exact, beyond);
@@ -242,6 +281,16 @@ TEST_CASE(
                last < between.lower() || between.upper() < first || between.upper() < last;
       wide += at.upper() - mpq_class(at.lower()) > 24 * size ||
               between.upper() - mpq_class(between.lower()) > 40 * size;
+    }
+    // ranges, which turn within
+    for (int i = 0; i < 200; ++i) {
+      const double x = i / 40.0 - 2.5, length = i % 7 * 0.1;
+      const interval range = f.surface()(interval(x, x + length), zero, zero);
+      for (int k = 0; k <= 64; ++k) {
+        const double t = std::min(x + length * k / 64, x + length);
+        const mpq_class at = value(exact, t);
+        wrong += at < range.lower() || range.upper() < at;
+      }
     }
     INFO(text);
     CHECK(wrong == 0);
