@@ -197,10 +197,11 @@ int replay_files(replay_options& options) {
     }
     if (!r.thrown.empty())
       findings += fmt::format(" ({})", r.thrown);
-    print("{}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}{}\n", place,
-          yes_or_no(r.touches != 0), yes_or_no(r.crosses != 0), yes_or_no(r.owns != 0),
-          shown(entry->name), yes_or_no(r.visited != 0), findings.empty() ? " none" : findings,
-          written);
+    const std::string owns = // boxes may overlap
+        c.at.boxes ? "" : fmt::format(", owns {}", yes_or_no(r.owns != 0));
+    print("{}: touches {}, crosses {}{}; {} visited {}; finding:{}{}\n", place,
+          yes_or_no(r.touches != 0), yes_or_no(r.crosses != 0), owns, shown(entry->name),
+          yes_or_no(r.visited != 0), findings.empty() ? " none" : findings, written);
   }
   if (stretches.done() < cases->size())
     return interrupted() ? ended_by_signal : refused;

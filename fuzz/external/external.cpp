@@ -140,7 +140,10 @@ public:
     default:
       return fmt::format("answered a first ray with what is no answer: \"{}\": {} (see "
                          "docs/adapters.md)",
-                         shown(line_), out.thrown().empty() ? "a NaN" : out.thrown());
+                         shown(line_),
+                         out.failed() == fault::not_a_number ? "a NaN"
+                         : out.thrown().empty()              ? "a line without end"
+                                                             : out.thrown());
     }
   }
   [[nodiscard]] const hello& greeting() const { return hello_; }
@@ -162,7 +165,8 @@ private:
   fault ready() {
     fault before = fault::none;
     if (process_.ours()) {
-      if (!process_.unread())
+      // what one says first may come now, after listen()
+      if ((is_fresh_ && is_unasked_) || !process_.unread())
         return fault::none;
       // it has ended since its last answer, or said what it was not asked
       line_.clear();

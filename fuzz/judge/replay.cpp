@@ -102,7 +102,8 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
   line["traversal"] = traversal_name;
   line["touches"] = r.touches != 0;
   line["crosses"] = r.crosses != 0;
-  line["owns"] = r.owns != 0;
+  const auto owned = [&c](bool is) { return c.at.boxes ? json() : json(is); }; // they may overlap
+  line["owns"] = owned(r.owns != 0);
   line["visited"] = r.visited != 0;
   const octant_set cells = c.at.all();
   const auto passage = [&r](json& into, octant_number v) {
@@ -135,7 +136,7 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
       cell["lo"] = hex(c.at.octant(v).lo);
     cell["touches"] = has(r.touches, v);
     cell["crosses"] = has(r.crosses, v);
-    cell["owns"] = has(r.owns, v);
+    cell["owns"] = owned(has(r.owns, v));
     cell["visited"] = has(r.visited, v);
     passage(cell, v);
     line[c.at.boxes ? "boxes" : (c.at.grid ? "voxels" : "octants")].push_back(std::move(cell));

@@ -35,23 +35,6 @@ sorted_findings(const merged_campaign& m) {
   return all;
 }
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : support::utf8(text)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 /// A path as the address of a link.
 std::string address(const std::string& path) {
   std::string out;
@@ -78,8 +61,9 @@ std::string row(std::string_view name, const counts& c) {
   return fmt::format(
       "<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
       "<td>{}</td><td>{}</td><td>{:.4f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-      escaped(name), c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps, c.seams,
-      c.spurious, 100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits, c.findings);
+      support::markup(name), c.rays, c.touched, c.misses, c.crossed_missed, c.gross_missed, c.gaps,
+      c.seams, c.spurious, 100 * c.spurious_rate(), c.far_spurious, c.order_errors, c.revisits,
+      c.findings);
 }
 
 const char* const style = R"(<style>
@@ -162,7 +146,8 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
                     const std::string& page_folder) {
   const counts total = m.state.total();
   const std::string title =
-      fmt::format("graze-fuzz: {} at level {}", escaped(m.plan.traversal), escaped(m.plan.level));
+      fmt::format("graze-fuzz: {} at level {}", support::markup(m.plan.traversal),
+                  support::markup(m.plan.level));
   std::string page = fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>{0}</title>\n{1}\n"
       "</head><body>\n<h1>{0}</h1>\n<p>Seed {2}, {3} rays in {4} pieces, {5:.1f} s, {6:.0f} rays/s"
@@ -183,17 +168,17 @@ std::string to_html(const merged_campaign& m, const campaign_plan& plan,
   if (!m.state.findings.empty()) {
     page += "<h2>Findings</h2>\n<table class=\"findings\">\n<tr><th>kind</th><th>first ray</th>"
             "<th>generator</th><th>pieces</th><th>shrunk (graze-fuzz replay FILE " +
-            escaped(plan.under_test.asked_for()) + ")</th></tr>\n";
+            support::markup(plan.under_test.asked_for()) + ")</th></tr>\n";
     for (const auto& [hash, known] : sorted_findings(m)) {
       const std::string& file = m.files.at(hash);
       std::error_code error;
       const auto link = std::filesystem::relative(file, page_folder, error);
-      page +=
-          fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-                      "<td><a href=\"{}\">{}</a><br><code>{}</code></td></tr>\n",
-                      name_of(known.kind), known.ray,
-                      plan.generators[generator_of(plan, known.ray)]->name, known.pieces,
-                      address(error ? file : link.string()), hash, escaped(text_of_finding(file)));
+      page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+                          "<td><a href=\"{}\">{}</a><br><code>{}</code></td></tr>\n",
+                          name_of(known.kind), known.ray,
+                          plan.generators[generator_of(plan, known.ray)]->name, known.pieces,
+                          address(error ? file : link.string()), hash,
+                          support::markup(text_of_finding(file)));
     }
     page += "</table>\n";
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <set>
+#include <shrink/candidates.hpp>
 #include <shrink/scenes.hpp>
 #include <trial/number.hpp>
 
@@ -124,21 +125,7 @@ std::vector<double> shorter(double x) {
   return all;
 }
 
-class scene_candidates {
-public:
-  explicit scene_candidates(const trial& t) : now_(complexity_of(t)) {}
-  void offer(const trial& t) {
-    if (complexity_of(t) < now_ && judgeable(t))
-      found_.push_back(t);
-  }
-  std::vector<trial> take() { return std::move(found_); }
-
-private:
-  complexity now_;
-  std::vector<trial> found_;
-};
-
-void offer_fewer_boxes(const trial& t, scene_candidates& out) {
+void offer_fewer_boxes(const trial& t, candidates& out) {
   const auto& boxes = *t.boxes;
   const auto offer = [&](std::vector<octree::box> fewer) {
     trial n = t;
@@ -159,28 +146,8 @@ void offer_fewer_boxes(const trial& t, scene_candidates& out) {
     }
 }
 
-void offer_smaller_block(const trial& t, scene_candidates& out) {
-  for (octant_set left = t.all(); left != 0 && std::popcount(t.all()) > 1; left &= left - 1) {
-    const int v = std::countr_zero(left);
-    trial n = t;
-    for (unsigned a = 0; a < 3; ++a)
-      n.base[a] += static_cast<unsigned>(v) >> (2 * a) & 3u;
-    n.extent = {1, 1, 1};
-    out.offer(n);
-  }
-  for (unsigned a = 0; a < 3; ++a) {
-    if (t.extent[a] == 1)
-      continue;
-    trial n = t;
-    --n.extent[a];
-    out.offer(n);
-    ++n.base[a];
-    out.offer(n);
-  }
-}
-
 /// The grid cut off behind the block; the block moved towards the first voxels.
-void offer_smaller_grid(const trial& t, scene_candidates& out) {
+void offer_smaller_grid(const trial& t, candidates& out) {
   const grid_planes& g = *t.grid;
   const auto with_grid = [&](trial n, grid_planes smaller) {
     n.grid = std::make_shared<const grid_planes>(std::move(smaller));
@@ -226,7 +193,7 @@ void offer_smaller_grid(const trial& t, scene_candidates& out) {
   }
 }
 
-void offer_numbers(const trial& t, scene_candidates& out) {
+void offer_numbers(const trial& t, candidates& out) {
   const std::vector<entry> all = numbers_of(t);
   const auto offer_with = [&](const auto& change) {
     std::vector<entry> changed = all;
@@ -274,7 +241,7 @@ void offer_numbers(const trial& t, scene_candidates& out) {
 }
 
 /// The origin made shorter and the ray led again through a corner of a cell.
-void offer_led_again(const trial& t, scene_candidates& out) {
+void offer_led_again(const trial& t, candidates& out) {
   if (t.end)
     return;
   for (octant_set left = t.all(); left != 0; left &= left - 1) {
@@ -312,7 +279,7 @@ complexity complexity_of_scene(const trial& t) {
 }
 
 std::vector<trial> simpler_scenes(const trial& t) {
-  scene_candidates out(t);
+  candidates out(t);
   if (t.boxes)
     offer_fewer_boxes(t, out);
   else

@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <generate/tame.hpp>
+#include <shrink/candidates.hpp>
 #include <shrink/scenes.hpp>
 #include <shrink/shrink.hpp>
 #include <trial/number.hpp>
@@ -12,41 +13,6 @@ namespace {
 /// The numbers of the ray, 0..2 the origin, 3..5 the direction.
 double& number(trial& t, unsigned i) { return i < 3 ? t.origin[i] : t.direction[i - 3]; }
 double number(const trial& t, unsigned i) { return i < 3 ? t.origin[i] : t.direction[i - 3]; }
-
-/// Collects candidates that are legal and simpler.
-class candidates {
-public:
-  explicit candidates(const trial& t) : now_(complexity_of(t)) {}
-  void offer(const trial& t) {
-    if (complexity_of(t) < now_ && judgeable(t))
-      found_.push_back(t);
-  }
-  std::vector<trial> take() { return std::move(found_); }
-
-private:
-  complexity now_;
-  std::vector<trial> found_;
-};
-
-void offer_fewer_octants(const trial& t, candidates& out) {
-  for (octant_set left = t.all(); left != 0 && std::popcount(t.all()) > 1; left &= left - 1) {
-    const int v = std::countr_zero(left); // one octant alone
-    trial candidate = t;
-    for (unsigned a = 0; a < 3; ++a)
-      candidate.base[a] += static_cast<unsigned>(v) >> (2 * a) & 3u;
-    candidate.extent = {1, 1, 1};
-    out.offer(candidate);
-  }
-  for (unsigned a = 0; a < 3; ++a) {
-    if (t.extent[a] == 1)
-      continue;
-    trial cut = t;
-    --cut.extent[a];
-    out.offer(cut);
-    ++cut.base[a];
-    out.offer(cut);
-  }
-}
 
 /// The ancestors of the block's first octant, which the ray may miss already.
 void offer_ancestors(const trial& t, candidates& out) {
@@ -300,7 +266,7 @@ std::vector<trial> simpler(const trial& t) {
   if (t.end || t.cells() != cell_kind::cube)
     return simpler_scenes(t);
   candidates out(t);
-  offer_fewer_octants(t, out);
+  offer_smaller_block(t, out);
   offer_ancestors(t, out);
   offer_zoom(t, out);
   offer_small_integers(t, out);

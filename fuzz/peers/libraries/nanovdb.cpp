@@ -7,6 +7,7 @@
 #include <nanovdb/util/HDDA.h>
 #include <nanovdb/util/Ray.h>
 #include <peers/library.hpp>
+#include <peers/nanovdb_walk.hpp>
 #include <peers/rounded_ray.hpp>
 
 namespace graze::peers {
@@ -65,29 +66,12 @@ public:
   using grid_of_cells::grid_of_cells;
 
   void visit(const octree::ray& r, std::vector<octant_key>& found) override {
-    ray_in_cells ray = cell_ray(r);
-    auto read = grid_->getAccessor();
-    if (!ray.clip(read.root().bbox()) || ray.t1() > 1e20f)
-      return;
     const std::size_t before = found.size();
-    const auto keep = [&](const Coord& at) {
+    walk_by_hdda(*grid_, cell_ray(r), [&](const Coord& at) {
       const octant_key key = cells_.key(at);
-      if (read.isActive(at) && (found.size() == before || found.back() != key))
+      if (found.size() == before || found.back() != key)
         found.push_back(key);
-    };
-    constexpr float forward = 1.0001f; // ZeroCrossing's Delta
-    Coord at = ::nanovdb::RoundDown<Coord>(ray.start());
-    keep(at);
-    ::nanovdb::HDDA<ray_in_cells> walk(ray, static_cast<int>(read.getDim(at, ray)));
-    while (walk.step()) {
-      at = ::nanovdb::RoundDown<Coord>(ray(walk.time() + forward));
-      walk.update(ray, static_cast<int>(read.getDim(at, ray)));
-      if (walk.dim() > 1 || !read.isActive(at))
-        continue;
-      keep(at);
-      while (walk.step() && read.isActive(walk.voxel()))
-        keep(walk.voxel());
-    }
+    });
   }
 };
 

@@ -9,6 +9,7 @@
 #include <nanovdb/util/IO.h>
 #include <nanovdb/util/Ray.h>
 #include <peers/maps/linear_planes.hpp>
+#include <peers/nanovdb_walk.hpp>
 #include <peers/rounded_ray.hpp>
 
 namespace graze::peers {
@@ -127,29 +128,11 @@ class hdda_of_map final : public grid_of_map {
 public:
   using grid_of_map::grid_of_map;
 
-  /// The loop of ZeroCrossing() in HDDA.h, which keeps each active voxel that it comes to.
   void visit(const octree::ray& r, std::vector<octant_key>& found) override {
-    index_ray ray = ray_of(r);
-    auto read = grid_->getAccessor();
-    if (!ray.clip(read.root().bbox()) || ray.t1() > 1e20f)
-      return;
-    const auto keep = [&](const Coord& at) {
-      if (read.isActive(at) && (found.empty() || found.back() != key(at)))
+    walk_by_hdda(*grid_, ray_of(r), [&](const Coord& at) {
+      if (found.empty() || found.back() != key(at))
         found.push_back(key(at));
-    };
-    constexpr float forward = 1.0001f; // ZeroCrossing's Delta
-    Coord at = ::nanovdb::RoundDown<Coord>(ray.start());
-    keep(at);
-    ::nanovdb::HDDA<index_ray> walk(ray, static_cast<int>(read.getDim(at, ray)));
-    while (walk.step()) {
-      at = ::nanovdb::RoundDown<Coord>(ray(walk.time() + forward));
-      walk.update(ray, static_cast<int>(read.getDim(at, ray)));
-      if (walk.dim() > 1 || !read.isActive(at))
-        continue;
-      keep(at);
-      while (walk.step() && read.isActive(walk.voxel()))
-        keep(walk.voxel());
-    }
+    });
   }
 };
 

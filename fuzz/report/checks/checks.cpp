@@ -36,31 +36,6 @@ std::string standings_text(const check_report& report) {
                      counted[2], counted[3], others);
 }
 
-std::string xml_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : support::utf8(text))
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    case '\n':
-      out += "&#10;";
-      break;
-    default: // XML 1.0 has no other control characters
-      out += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    }
-  return out;
-}
-
 std::string uri_of(const std::string& path) {
   std::string out = path.starts_with('/') ? "file://" : "";
   for (const char c : path.starts_with("./") ? path.substr(2) : path) {
@@ -99,23 +74,23 @@ std::string to_junit(const check_report& report) {
   std::size_t failures = 0, skipped = 0;
   for (const check_result& c : report.checks) {
     cases += fmt::format("    <testcase classname=\"graze-fuzz.{}\" name=\"{}\" time=\"0\"",
-                         xml_escaped(report.command), xml_escaped(c.name));
+                         support::markup(report.command), support::markup(c.name));
     const auto failing = those(c, is_failing), known = those(c, is_known);
     if (!failing.empty()) {
       ++failures;
       std::string text;
       for (const problem* p : failing)
         text += fmt::format("{}: {}\n{}", name_of(p->kind), p->sentence, p->details);
-      cases +=
-          fmt::format(">\n      <failure type=\"{}\" message=\"{}\">{}</failure>\n"
-                      "    </testcase>\n",
-                      kinds_of(failing), xml_escaped(failing.front()->sentence), xml_escaped(text));
+      cases += fmt::format(">\n      <failure type=\"{}\" message=\"{}\">{}</failure>\n"
+                           "    </testcase>\n",
+                           kinds_of(failing), support::markup(failing.front()->sentence),
+                           support::markup(text));
     } else if (!known.empty() || !c.declined.empty()) {
       ++skipped;
       cases += fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n",
-                           xml_escaped(known.empty() ? c.declined
-                                                     : "known: " + kinds_of(known) + ": " +
-                                                           known.front()->sentence));
+                           support::markup(known.empty() ? c.declined
+                                                         : "known: " + kinds_of(known) + ": " +
+                                                               known.front()->sentence));
     } else {
       cases += "/>\n";
     }
@@ -126,7 +101,8 @@ std::string to_junit(const check_report& report) {
   return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"graze-fuzz\" "
                      "{0}>\n  <testsuite name=\"graze-fuzz {1} {2}\" {0}>\n{3}  </testsuite>\n"
                      "</testsuites>\n",
-                     numbers, xml_escaped(report.command), xml_escaped(report.traversal), cases);
+                     numbers, support::markup(report.command), support::markup(report.traversal),
+                     cases);
 }
 
 namespace {

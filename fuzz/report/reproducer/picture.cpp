@@ -3,6 +3,7 @@
 /// a hundredth of a pixel at the end.
 #include <cmath>
 #include <fmt/format.h>
+#include <graze/support/text.hpp>
 #include <report/reproducer/passage.hpp>
 #include <trial/number.hpp>
 
@@ -15,31 +16,9 @@ constexpr double left = 170, top = 64, side = 400; ///< the first panel's square
 constexpr double magnified_distance = 70;          ///< px, in the second panel
 constexpr double small_distance = 1.0 / 40; ///< of an octant: below, the second panel is drawn
 
-/// Text in an element: the traversal's name may be anybody's.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text)
-    switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += "&quot;";
-      break;
-    default:
-      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  return out;
-}
-
 std::string label(double x, double y, std::string_view text, std::string_view more = "") {
-  return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\"{}>{}</text>\n", x, y, more, escaped(text));
+  return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\"{}>{}</text>\n", x, y, more,
+                     support::markup(text));
 }
 
 std::string line(double x0, double y0, double x1, double y1, std::string_view style) {

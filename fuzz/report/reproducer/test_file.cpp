@@ -259,7 +259,7 @@ std::string test_file(const reproduction& r, language l) {
   const auto flag = [l](bool b) {
     return l == language::python ? (b ? "True" : "False") : (b ? "true" : "false");
   };
-  const std::array<std::pair<std::string_view, std::string>, 19> values{
+  const std::array<std::pair<std::string_view, std::string>, 20> values{
       {{"@TITLE@", title_of(r, l)},
        {"@NAME@", stem_of(r, '_')},
        {"@ORIGIN@", bits_of(t.origin, l)},
@@ -278,6 +278,8 @@ std::string test_file(const reproduction& r, language l) {
        {"@ONCE@", flag(e.once)},
        {"@INSIDE@", flag(e.inside)},
        {"@SECONDS@", fmt::format("{:.0f}", std::ceil(seconds))},
+       // words that stand in a first line, and in no answer
+       {"@FIRST@", "promise|cells|segments|batch|numbers|tolerance|float|echo true"},
        {"@REQUEST@", literal(request, l)},
        {"@COMMAND@", literal(command, l)}}};
   std::string text(test_template(l));

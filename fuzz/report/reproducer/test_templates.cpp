@@ -60,7 +60,8 @@ fn answer() -> String {
     let _ = Command::new("kill").args(["-9", "--", &group]).stderr(Stdio::null()).status();
     let _ = child.wait();
     let text = text.expect("no answer within @SECONDS@ s");
-    let line = text.lines().find(|l| !l.contains("promise"));
+    let is_first = |l: &str| "@FIRST@".split('|').any(|word| l.contains(word));
+    let line = text.lines().find(|l| !is_first(l));
     line.expect("the program ended before it answered").to_string()
 }
 
@@ -86,7 +87,7 @@ fn voxels_of(line: &str) -> Vec<Voxel> {
             break;
         }
     }
-    assert!(numbers.len() % 3 == 0, "no answer: {line}");
+    assert!(numbers.len() % 3 == 0, "no answer: {}", line);
     numbers.chunks(3).map(|v| [v[0], v[1], v[2]]).collect()
 }
 
@@ -94,19 +95,21 @@ fn voxels_of(line: &str) -> Vec<Voxel> {
 fn @NAME@() {
     let visited = visited();
     for voxel in MUST {
-        assert!(visited.contains(voxel), "{voxel:?} is not visited: {visited:?}");
+        assert!(visited.contains(voxel), "{:?} is not visited: {:?}", voxel, visited);
     }
     if !ONE_OF.is_empty() {
-        assert!(visited.iter().any(|v| ONE_OF.contains(v)), "none of {ONE_OF:?} is visited: {visited:?}");
+        let any = visited.iter().any(|v| ONE_OF.contains(v));
+        assert!(any, "none of {:?} is visited: {:?}", ONE_OF, visited);
     }
     for voxel in NONE_OF {
-        assert!(!visited.contains(voxel), "{voxel:?} is visited: {visited:?}");
+        assert!(!visited.contains(voxel), "{:?} is visited: {:?}", voxel, visited);
     }
     let places: Vec<_> = visited.iter().filter_map(|v| IN_ORDER.iter().position(|o| o == v)).collect();
-    assert!(places.windows(2).all(|p| p[0] < p[1]), "not in the order {IN_ORDER:?}: {visited:?}");
+    let ordered = places.windows(2).all(|p| p[0] < p[1]);
+    assert!(ordered, "not in the order {:?}: {:?}", IN_ORDER, visited);
     for (i, voxel) in visited.iter().enumerate() {
-        assert!(!ONCE || !visited[..i].contains(voxel), "{voxel:?} is visited twice: {visited:?}");
-        assert!(!INSIDE || voxel.iter().all(|&x| x < @COUNT@), "{voxel:?} is not in the grid");
+        assert!(!ONCE || !visited[..i].contains(voxel), "{:?} is visited twice: {:?}", voxel, visited);
+        assert!(!INSIDE || voxel.iter().all(|&x| x < @COUNT@), "{:?} is not in the grid", voxel);
     }
 }
 )TEMPLATE";
@@ -164,7 +167,7 @@ func visited_@NAME@(t *testing.T) [][3]uint64 {
 		t.Fatal("no answer within @SECONDS@ s")
 	}
 	for _, line := range strings.Split(out.String(), "\n") {
-		if line == "" || strings.Contains(line, "promise") {
+		if line == "" || regexp.MustCompile("@FIRST@").MatchString(line) {
 			continue // what an adapter says first of all
 		}
 		if strings.Contains(line, "skip") {
@@ -292,7 +295,7 @@ class Graze_@NAME@ {
       process.destroyForcibly();
       check(ended, "no answer within @SECONDS@ s");
       for (String line : Files.readAllLines(out.toPath()))
-        if (!line.contains("promise")) return line;
+        if (!line.matches(".*(@FIRST@).*")) return line;
     } finally {
       out.delete();
       in.delete();
@@ -399,7 +402,7 @@ async function visited() {
   if (adapter.exitCode === null && adapter.signalCode === null) await new Promise((ended) => adapter.on("exit", ended));
   clearTimeout(late);
   assert(adapter.signalCode !== "SIGKILL", "no answer within @SECONDS@ s");
-  const line = stdout.split("\n").slice(0, -1).find((l) => !l.includes("promise"));
+  const line = stdout.split("\n").slice(0, -1).find((l) => !/@FIRST@/.test(l));
   assert(line !== undefined, "the program ended before it answered");
   assert(!line.includes("skip"), "the adapter declines this ray");
   if (/^\s*[[{]/.test(line)) {
@@ -430,6 +433,7 @@ test("@NAME@", async () => {
 
 constexpr std::string_view python = R"TEMPLATE(@TITLE@import json
 import os
+import re
 import signal
 import struct
 import subprocess
@@ -471,7 +475,7 @@ def visited():
             os.killpg(process.pid, signal.SIGKILL)
         except ProcessLookupError:
             pass
-    lines = [line for line in out.split("\n")[:-1] if "promise" not in line]
+    lines = [line for line in out.split("\n")[:-1] if not re.search("@FIRST@", line)]
     assert lines, "the program ended before it answered"
     line = lines[0]
     assert "skip" not in line, "the adapter declines this ray"
@@ -511,6 +515,7 @@ constexpr std::string_view cpp = R"TEMPLATE(@TITLE@#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <regex>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -585,7 +590,7 @@ std::string answer() {
   for (int c; (c = std::getc(out)) != EOF;) {
     if (c != '\n') {
       line += static_cast<char>(c);
-    } else if (line.find("promise") != std::string::npos) {
+    } else if (std::regex_search(line, std::regex("@FIRST@"))) {
       line.clear();
     } else {
       alarm(0);

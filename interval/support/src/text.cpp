@@ -56,6 +56,31 @@ std::string utf8(std::string_view text) {
   return out;
 }
 
+std::string markup(std::string_view text) {
+  std::string out;
+  for (const char c : utf8(text))
+    switch (c) {
+    case '&':
+      out += "&amp;";
+      break;
+    case '<':
+      out += "&lt;";
+      break;
+    case '>':
+      out += "&gt;";
+      break;
+    case '"':
+      out += "&quot;";
+      break;
+    case '\n':
+      out += "&#10;";
+      break;
+    default:
+      out += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    }
+  return out;
+}
+
 std::string shown(std::string_view text, std::size_t most) {
   std::string out;
   while (!text.empty()) {

@@ -1,38 +1,15 @@
 #include "default_mode.hpp"
+#include "dyadic.hpp"
 #include "grid_walk.hpp"
 #include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
-#include <gmp.h>
 #include <graze/oracle/lines.hpp>
 #include <limits>
 
 namespace graze::oracle {
 namespace {
-
-struct integer {
-  integer() { mpz_init(value); }
-  ~integer() { mpz_clear(value); }
-  integer(const integer&) = delete;
-  integer& operator=(const integer&) = delete;
-  mpz_t value;
-};
-
-/// x = significand * 2^exponent, from the bits.
-struct dyadic {
-  std::uint64_t significand;
-  int exponent;
-  bool negative;
-};
-dyadic split(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const int biased = static_cast<int>(bits >> 52 & 0x7ff);
-  std::uint64_t significand = bits & ((std::uint64_t{1} << 52) - 1);
-  if (biased != 0)
-    significand |= std::uint64_t{1} << 52;
-  return {significand, (biased != 0 ? biased : 1) - 1075, (bits >> 63) != 0};
-}
 
 /// result 2^e is the sum; returns e.
 int sum(mpz_t result, std::span<const double> terms) {

@@ -15,6 +15,10 @@ std::string utf8(std::string_view text);
 /// spaces, the others as '?'; cut, with "...", after `most` bytes.
 std::string shown(std::string_view text, std::size_t most = 200);
 
+/// As text in an element or attribute of XML or HTML: UTF-8, the marks & < > " and the ends of lines as
+/// references, other control characters as '?', since XML 1.0 has none.
+std::string markup(std::string_view text);
+
 /// A JSON value on one line, whatever bytes its texts hold. Of nlohmann::basic_json.
 template <class Json> std::string json_line(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
