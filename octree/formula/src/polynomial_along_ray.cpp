@@ -417,7 +417,7 @@ int coordinate_bits(const ray& r) {
 std::optional<certified_hit> exactly_along(const program& p, const exact_polynomial& f,
                                            const ray& r, const box& domain, const stretch& in) {
   const auto limbs = (f.degree * static_cast<std::uint64_t>(coordinate_bits(r)) + 256) / 64;
-  constexpr std::uint64_t most_work = 1 << 25;
+  constexpr std::uint64_t most_work = 1 << 22;
   if ((f.work + 16) * limbs * limbs > most_work)
     return std::nullopt;
   const auto [entry, exit] = clipped(r, domain);
