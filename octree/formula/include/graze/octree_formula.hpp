@@ -69,7 +69,8 @@ public:
   [[nodiscard]] const tape::program& program() const { return *program_; }
 
   /// What certified_search leaves open along a ray in the domain, decided where that can be: where f is
-  /// a polynomial, and where it has no zero but jumps, has a pole, or ends.
+  /// a polynomial; where it has no zero but jumps, has a pole, or ends (verdict.hpp); and where it is
+  /// exactly 0 on a face of the domain. Within no scope.
   [[nodiscard]] certified_hit look_closer(const ray& r, const box& domain,
                                           const certified_hit& found) const;
 
