@@ -56,7 +56,7 @@ expected<scene> scene_of_picture(const std::string& file, picture_settings& sett
 
 /// The scene and, in r.settings, how it is rendered; or the reason why that cannot be done. Asked
 /// before any work.
-expected<scene> understand(request& r) {
+expected<scene> understand(request& r, formula_mark& where) {
   if (r.scene.count() + int{!r.again.empty()} != 1)
     return unexpected{
         "exactly one of --scene, --formula, --again is needed (--help shows the options)"};
@@ -82,7 +82,7 @@ expected<scene> understand(request& r) {
     return unexpected{"the output " + format.reason()};
   if (const status may = check_writable(r.output); !may)
     return unexpected{may.reason()};
-  auto s = r.again.empty() ? r.scene.read() : scene_of_picture(r.again, r.settings);
+  auto s = r.again.empty() ? r.scene.read(&where) : scene_of_picture(r.again, r.settings);
   if (s)
     if (const status may = prepare_to_encode(*format); !may)
       return unexpected{may.reason()};
@@ -247,6 +247,7 @@ void declare(CLI::App& app, request& r) {
       "  graze-render --scene tanglecube -o tanglecube.png\n"
       "  graze-render --scene spheres --mode trace --size 1024 -o spheres.exr\n"
       "  graze-render --formula \"x^4 + y^4 + z^4 - 1\" --domain=-1.5,1.5 --spp 4 -o cube.png\n"
+      "  graze-render --formula \"w = x^2 + y^2; w + z^2 = a*w^2 + 1\" --set a=1/3 -o ring.png\n"
       "  graze-render --again spheres.exr -o the_same.exr");
 }
 
@@ -265,9 +266,15 @@ int start(int argc, char** argv) {
   r.settings.method = of_descent || r.method == "descent" ? method::descent : method::certified;
   listen_for_interrupts();
   limit_memory();
-  const auto s = understand(r);
-  if (!s)
-    return bad_input(s.reason());
+  formula_mark where;
+  const auto s = understand(r, where);
+  if (!s) {
+    complain(s.reason());
+    print_error(where.lines());
+    return refused;
+  }
+  if (const std::string note = note_on(*s); !note.empty())
+    complain(note);
   if (r.threads == 0)
     r.threads = static_cast<int>(default_threads());
   try {

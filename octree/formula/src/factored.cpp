@@ -353,6 +353,22 @@ factored on_factored::atan2(const factored& y, const factored& x) {
   return number_of(run, on_intervals::atan2(p, q));
 }
 
+factored on_factored::select(const factored& a, const factored& if_positive,
+                             const factored& if_not) {
+  const interval condition = a.value();
+  if (condition.lower() > 0)
+    return if_positive;
+  if (condition.upper() <= 0)
+    return if_not;
+  sides* const run = a.of;
+  if (run != nullptr && !is_empty(condition))
+    if (const auto side = run->choose(2)) {
+      run->jumps = true;
+      return *side == 0 ? if_positive : if_not;
+    }
+  return number_of(run, on_intervals::select(condition, if_positive.value(), if_not.value()));
+}
+
 #define GRAZE_FACTORED_THROUGH(name)                                                               \
   factored on_factored::name(const factored& x) {                                                  \
     return through(opcode::name, x, &on_intervals::name);                                          \

@@ -128,6 +128,7 @@ template <> struct operations<closer_look::factored> {
   static factored pow(const factored& x, const factored& y);
   static factored hypot(const factored& x, const factored& y);
   static factored atan2(const factored& y, const factored& x);
+  static factored select(const factored& a, const factored& if_positive, const factored& if_not);
 #define GRAZE_TAPE_FUNCTION(name) static factored name(const factored& x);
   GRAZE_TAPE_FUNCTIONS(GRAZE_TAPE_FUNCTION)
 #undef GRAZE_TAPE_FUNCTION

@@ -45,7 +45,7 @@ struct settings {
   int sampling = 1;
   std::optional<window> crop{}; ///< within the picture; the rest is not rendered
   bool facts = false;           ///< fill rendering::facts
-  bool show_gaps = false; ///< rays that end in a pole, a jump or a gap have gap_colour
+  bool show_gaps = false;       ///< rays that end in a pole, a jump or a gap have gap_colour
 };
 
 /// Counts over the pixels' centres, and over what else was cast.
