@@ -31,6 +31,7 @@ namespace graze::octree {
 ///              lies in the surface from there on.
 ///   miss       proven: no root. t_near and t_far are infinite.
 ///   undecided  the first root, if there is one, lies in [t_near, t_far].
+///   pole, jump, gap  as a miss: no root. [t_near, t_far] encloses the first break (verdict.hpp).
 struct certified_hit {
   verdict outcome;
   bool unique;
@@ -293,6 +294,10 @@ public:
     return {verdict::miss, false, infinity, infinity};
   }
   [[nodiscard]] GRAZE_BATCH_INLINE unsigned active() const { return active_; }
+  /// There is an X in which a zero could neither be proven nor excluded.
+  [[nodiscard]] GRAZE_BATCH_INLINE bool left_open(std::size_t lane) const {
+    return near_[lane] < infinity;
+  }
   [[nodiscard]] GRAZE_BATCH_INLINE double steps(std::size_t lane) const { return steps_[lane]; }
 
 private:
