@@ -1,6 +1,9 @@
 // Pictures that graze-render has written, read by another library.
 #include "../support/program.hpp"
 #include "read_picture.hpp"
+#include <cmath>
+#include <graze/render/shading.hpp>
+#include <nlohmann/json.hpp>
 
 using support::call, support::scratch;
 
