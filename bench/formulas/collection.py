@@ -4,8 +4,8 @@
     bench/formulas/collection.py build/release/bin/graze-render
     bench/formulas/collection.py build/release/bin/graze-render --only Chmutov --size 96 --json
 
-The collection is taken from its repository (a fixed commit) unless --collection names a file. Models of one
-formula are taken; their constants and functions are written into it. Each is rendered with proven depths
+The collection is taken from its repository (a fixed commit) unless --collection names a file. Constants and
+functions of a model are written into its formula, the time t is 0; a model of several formulas is several. Each is rendered with proven depths
 (.npz). Where the formula is a polynomial with rational coefficients, FLINT (python-flint) finds the exact
 roots along the exact ray of each pixel, in the domain's exact part of it:
 
@@ -86,10 +86,8 @@ def in_graze(node):
     return re.sub(r"\bif_\(", "if(", text)
 
 
-def model(entry):
-    constants, functions = definitions(entry.get("Const")), definitions(entry.get("Funct"))
-    if len(entry["Fxyz"]) != 1:
-        raise NotTaken("several formulas")
+def model(entry, which):
+    constants, functions = definitions(entry.get("Const")) | {"t": "0"}, definitions(entry.get("Funct"))
     if entry.get("Vect") or entry.get("Import"):
         raise NotTaken("vectors or imports")
 
@@ -98,16 +96,14 @@ def model(entry):
             return Inlined(constants, functions).visit(parsed(text))
         except RecursionError as e:
             raise NotTaken("nested too deep") from e
-    f = inlined(entry["Fxyz"][0])
+    f = inlined(entry["Fxyz"][which])
     names = {n.id for n in ast.walk(f) if isinstance(n, ast.Name)}
     if any(isinstance(n, (ast.Compare, ast.BoolOp, ast.BitOr, ast.BitAnd)) for n in ast.walk(f)) or "if_" in names:
         raise NotTaken("comparisons")
-    if "t" in names:
-        raise NotTaken("a time")
     ends = []
     for end in ("Xmin", "Xmax", "Ymin", "Ymax", "Zmin", "Zmax"):
         try:
-            ends.append(float(eval(compile(ast.Expression(inlined(entry[end][0])), "end", "eval"),
+            ends.append(float(eval(compile(ast.fix_missing_locations(ast.Expression(inlined(entry[end][min(which, len(entry[end]) - 1)]))), "end", "eval"),
                                    {"__builtins__": {}, "pi": 3.141592653589793})))
         except (NameError, TypeError, SyntaxError) as e:
             raise NotTaken(f"domain: {e}") from e
@@ -298,13 +294,14 @@ def main():
     import numpy
     totals = {"models": 0, "passed_over": 0, "refused": 0, "polynomials": 0, "rays": 0, "wrong": 0, "undecided": 0,
               "decidable": 0}
-    for entry in (e["Iso3D"] for e in entries if "Iso3D" in e):
-        name = entry["Name"][0]
+    surfaces = [(e["Iso3D"], i) for e in entries if "Iso3D" in e for i in range(len(e["Iso3D"]["Fxyz"]))]
+    for entry, which in surfaces:
+        name = entry["Name"][0] + (f"[{which}]" if len(entry["Fxyz"]) > 1 else "")
         if not re.search(given.only, name):
             continue
         row = {"model": name}
         try:
-            f, formula, ends = model(entry)
+            f, formula, ends = model(entry, which)
         except NotTaken as e:
             totals["passed_over"] += 1
             if given.json:

@@ -247,6 +247,9 @@ TEST_CASE("octree.formula: a choice is known where its comparison is decided", "
   CHECK_FALSE(continuous("if(x>0,sqrt(x-2),3)", 1, 2));
   CHECK(continuous("if(x>0,sqrt(x-2),3)", -1, 0));
   CHECK_FALSE(continuous("if(x>0,5,7)+floor(x)", 0.5, 1.5));
+  CHECK_FALSE(continuous("floor(x)*y+z*sin(x)", 0.5, 1.5));
+  CHECK_FALSE(continuous("y*z+min(x,floor(x))", 0.5, 1.5));
+  CHECK_FALSE(continuous("max(floor(x),x)", 0.5, 1.5));
 }
 
 TEST_CASE("octree.formula: a choice is of few operations, however it is nested", "[hardcase]") {
