@@ -1,6 +1,7 @@
 // graze-render: a picture of an implicit surface, each ray with its verdict.
 #include "request.hpp"
 #include "scene_options.hpp"
+#include "view_options.hpp"
 
 #include <graze/render/picture_texts.hpp>
 #include <graze/render/scene_text.hpp>
@@ -20,10 +21,11 @@ constexpr int not_written = 1; ///< the picture, as --help says
 struct request {
   scene_options scene; ///< or the picture to be made again
   std::string again;
+  view_options view;
   std::string mode = "cast", method, size = "512", crop;
   picture_settings settings;
   int threads = 0;
-  std::string output;
+  std::string output; ///< or of several pictures their pattern
   bool progress = false;
   bool json = false;
 };
@@ -54,9 +56,16 @@ expected<scene> scene_of_picture(const std::string& file, picture_settings& sett
   return s;
 }
 
-/// The scene and, in r.settings, how it is rendered; or the reason why that cannot be done. Asked
-/// before any work.
-expected<scene> understand(request& r) {
+/// What is to be rendered: a scene, or what an orbit turns.
+struct task {
+  scene subject;
+  framed_camera from;
+  std::vector<std::string> files; ///< one a picture
+};
+
+/// What is rendered and, in r.settings, how; or the reason why that cannot be done. Asked before any
+/// work but that of finding the surface's extent.
+expected<task> understand(request& r) {
   if (r.scene.count() + int{!r.again.empty()} != 1)
     return unexpected{
         "exactly one of --scene, --formula, --again is needed (--help shows the options)"};
@@ -80,13 +89,26 @@ expected<scene> understand(request& r) {
   const auto format = format_of(r.output);
   if (!format)
     return unexpected{"the output " + format.reason()};
-  if (const status may = check_writable(r.output); !may)
-    return unexpected{may.reason()};
-  auto s = r.again.empty() ? r.scene.read() : scene_of_picture(r.again, r.settings);
-  if (s)
-    if (const status may = prepare_to_encode(*format); !may)
+  task t;
+  for (int i = 0; i < std::max(r.view.orbit, 1); ++i) {
+    auto file = r.view.orbit == 0 ? r.output : frame_file(r.output, i);
+    if (!file)
+      return unexpected{file.reason()};
+    if (const status may = check_writable(*file); !may)
       return unexpected{may.reason()};
-  return s;
+    t.files.push_back(*std::move(file));
+  }
+  auto s = r.again.empty() ? r.scene.read() : scene_of_picture(r.again, r.settings);
+  if (!s)
+    return unexpected{s.reason()};
+  t.subject = *std::move(s);
+  const auto from = r.view.apply(t.subject);
+  if (!from)
+    return unexpected{from.reason()};
+  t.from = *from;
+  if (const status may = prepare_to_encode(*format); !may)
+    return unexpected{may.reason()};
+  return t;
 }
 
 nlohmann::ordered_json counts_of(const tally& c) {
@@ -110,8 +132,8 @@ void describe(picture& image, const request& r, const scene& s, const rendering&
                     {"graze:complete", result.complete ? "yes" : "no"}};
 }
 
-void print_summary(const request& r, const scene& s, const caster& surface, double octree_seconds,
-                   const rendering& result) {
+void print_summary(const request& r, const scene& s, int frame, const std::string& file,
+                   const caster& surface, double octree_seconds, const rendering& result) {
   const tally& c = result.counts;
   const double rate = result.seconds > 0 ? static_cast<double>(c.rays()) / result.seconds : 0;
   const bool descends = r.settings.method == method::descent;
@@ -126,8 +148,10 @@ void print_summary(const request& r, const scene& s, const caster& surface, doub
                                    {"width", result.whole.width},
                                    {"height", result.whole.height},
                                    {"threads", r.threads},
-                                   {"output", r.output},
+                                   {"output", file},
                                    {"complete", result.complete}};
+    if (r.view.orbit != 0)
+      line.update({{"frame", frame}, {"frames", r.view.orbit}});
     line.update(counts_of(c));
     line.update({{"octants_per_ray", c.octants_a_ray()},
                  {"octree_leaves", surface.octree_leaves()},
@@ -146,47 +170,69 @@ void print_summary(const request& r, const scene& s, const caster& surface, doub
         descends ? fmt::format("octree of {} leaves in {:.2f} s; ", surface.octree_leaves(),
                                octree_seconds)
                  : "",
-        shown(r.output, 1000));
+        shown(file, 1000));
 }
 
-int render_to_file(const request& r, const scene& s) {
+/// The picture into its file.
+status write_picture(const request& r, const scene& s, const rendering& result,
+                     const std::string& file) {
+  picture image = to_picture(result, s.transparent);
+  describe(image, r, s, result);
+  const auto bytes = encode(image, *format_of(file));
+  if (!bytes)
+    return unexpected{bytes.reason()};
+  return write_atomically(file, *bytes);
+}
+
+int render_to_files(const request& r, const task& t) {
   const picture_settings& chosen = r.settings;
-  const file_format format = *format_of(r.output);
   const auto start = std::chrono::steady_clock::now();
-  auto surface =
-      prepare(s, std::min(chosen.octree_level, chosen.levels), chosen.levels, chosen.method);
+  const auto seconds_so_far = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  auto surface = prepare(t.subject, std::min(chosen.octree_level, chosen.levels), chosen.levels,
+                         chosen.method);
   if (!surface)
     return bad_input(surface.reason());
-  const double octree_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double octree_seconds = seconds_so_far();
 
   progress_line line("pixels", r.progress);
   const settings loop = {chosen.size, static_cast<unsigned>(r.threads),
                          chosen.mode, side_of(chosen.spp),
-                         chosen.crop, format == file_format::exr};
-  const rendering result =
-      render_picture(s, **surface, loop, &stop_wanted,
-                     [&](std::uint64_t done_pixels, std::uint64_t pixels, double seconds) {
-                       line.show({done_pixels, pixels, seconds});
-                     });
-  end_is_orderly();
-  line.clear();
-  if (result.counts.pixels == 0)
-    return end_with(ended_by_signal, "interrupted before the first tile; nothing written");
-
-  picture image = to_picture(result);
-  describe(image, r, s, result);
-  const auto bytes = encode(image, format);
-  if (!bytes)
-    return end_with(not_written, bytes.reason());
-  if (const status written = write_atomically(r.output, *bytes); !written)
-    return end_with(not_written, written.reason());
-  print_summary(r, s, **surface, octree_seconds, result);
-  if (result.complete)
-    return done;
-  return end_with(ended_by_signal,
-                  fmt::format("interrupted: {} is a partial picture, {} of {} pixels",
-                              shown(r.output), result.counts.pixels, result.pixels.size()));
+                         chosen.crop, *format_of(r.output) == file_format::exr};
+  const int frames = static_cast<int>(t.files.size());
+  for (int i = 0; i < frames; ++i) {
+    const std::string& file = t.files[static_cast<std::size_t>(i)];
+    scene s = t.subject;
+    if (r.view.orbit != 0) {
+      s.view = turned(t.from, 360.0 * i / frames);
+      if (s.lit == scene::lamps::headlight)
+        s.lights = headlight(s.view);
+    }
+    const rendering result = render_picture(
+        s, **surface, loop, &stop_wanted,
+        [&](std::uint64_t done_pixels, std::uint64_t pixels, double) {
+          const auto before = static_cast<std::uint64_t>(i) * pixels;
+          line.show({before + done_pixels, static_cast<std::uint64_t>(frames) * pixels,
+                     seconds_so_far() - octree_seconds});
+        });
+    if (i + 1 == frames || stop_wanted)
+      end_is_orderly();
+    line.clear();
+    if (frames > 1 && !result.complete)
+      return end_with(ended_by_signal,
+                      fmt::format("interrupted: {} of {} pictures are written", i, frames));
+    if (result.counts.pixels == 0)
+      return end_with(ended_by_signal, "interrupted before the first tile; nothing written");
+    if (const status written = write_picture(r, s, result, file); !written)
+      return end_with(not_written, written.reason());
+    print_summary(r, s, i, file, **surface, octree_seconds, result);
+    if (!result.complete)
+      return end_with(ended_by_signal,
+                      fmt::format("interrupted: {} is a partial picture, {} of {} pixels",
+                                  shown(file), result.counts.pixels, result.pixels.size()));
+  }
+  return done;
 }
 
 void declare(CLI::App& app, request& r) {
@@ -224,6 +270,8 @@ void declare(CLI::App& app, request& r) {
                        ->capture_default_str();
   for (CLI::Option* other : {mode, method, levels, octree_level, size, crop, spp})
     again->excludes(other);
+  for (CLI::Option* other : r.view.declare(app))
+    again->excludes(other);
   app.add_option("--threads", r.threads, "0: one a core; the picture is the same for any number")
       ->capture_default_str();
   app.add_flag("--progress", r.progress, "Report progress even if stderr is not a terminal");
@@ -236,6 +284,9 @@ void declare(CLI::App& app, request& r) {
       "  graze-render --scene tanglecube -o tanglecube.png\n"
       "  graze-render --scene spheres --mode trace --size 1024 -o spheres.exr\n"
       "  graze-render --formula \"x^4 + y^4 + z^4 - 1\" --domain=-1.5,1.5 --spp 4 -o cube.png\n"
+      "  graze-render --formula \"x*y*z + 1/10\" --domain=-1,1 --up z --orbit 36 -o around.png\n"
+      "  graze-render --formula \"x^2 + y^2 - z^2\" --azimuth 30 --size 4096 --spp 16 \\\n"
+      "    --background transparent --colour steelblue -o figure.png\n"
       "  graze-render --again spheres.exr -o the_same.exr");
 }
 
@@ -254,13 +305,13 @@ int start(int argc, char** argv) {
   r.settings.method = of_descent || r.method == "descent" ? method::descent : method::certified;
   listen_for_interrupts();
   limit_memory();
-  const auto s = understand(r);
-  if (!s)
-    return bad_input(s.reason());
+  const auto t = understand(r);
+  if (!t)
+    return bad_input(t.reason());
   if (r.threads == 0)
     r.threads = static_cast<int>(default_threads());
   try {
-    return render_to_file(r, *s);
+    return render_to_files(r, *t);
   } catch (const std::bad_alloc&) {
     return bad_input(fmt::format("not enough memory for {}x{} pixels", r.settings.size.width,
                                  r.settings.size.height));

@@ -19,7 +19,8 @@ std::array<float, 3> narrow(const std::array<double, 3>& c) {
   return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
 }
 
-const pixel unfinished_pixel = {narrow(unfinished_colour), std::numeric_limits<float>::infinity()};
+const pixel unfinished_pixel = {narrow(unfinished_colour), std::numeric_limits<float>::infinity(),
+                                0};
 
 /// One thread's part of the work, a tile at a time. Each pixel depends on nothing but its own rays,
 /// and sums of integers and greatest numbers on no order, so that the order in which tiles are
@@ -54,6 +55,7 @@ private:
   void look_at(const window& place) {
     place_ = place;
     sums_.assign(place.size.count(), colour{});
+    seen_.assign(place.size.count(), 0);
     colours_.resize(place.size.count());
     const int side = settings_.sampling;
     for (int j = 0; j < side; ++j)
@@ -61,9 +63,13 @@ private:
         const bool centre = 2 * i + 1 == side && 2 * j + 1 == side;
         cast(side, i, j, centre);
         shader_.look(rays_, hits_, colours_, counts_);
-        for (std::size_t k = 0; k < sums_.size(); ++k)
+        for (std::size_t k = 0; k < sums_.size(); ++k) {
+          if (scene_.transparent && sees_background(hits_[k].outcome))
+            continue;
+          ++seen_[k];
           for (std::size_t c = 0; c < 3; ++c)
             sums_[k][c] += colours_[k][c];
+        }
         if (centre)
           note_facts();
       }
@@ -74,7 +80,9 @@ private:
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       for (double& c : sums_[k])
         c /= side * side;
-      target_.pixels[at(k)].colour = narrow(sums_[k]);
+      pixel& p = target_.pixels[at(k)];
+      p.colour = narrow(sums_[k]);
+      p.alpha = static_cast<float>(seen_[k]) / static_cast<float>(side * side);
     }
     counts_.pixels += sums_.size();
   }
@@ -162,6 +170,7 @@ private:
   tally counts_;
   window place_; ///< the tile in hand
   std::vector<colour> sums_, colours_;
+  std::vector<int> seen_; ///< of a pixel's rays those that are in its sum
   std::vector<octree::ray> rays_;
   std::vector<octree::surface_hit> hits_;
   std::vector<std::uint64_t> steps_;
@@ -232,7 +241,7 @@ rendering render_picture(const scene& s, const caster& surface, const settings& 
   return result;
 }
 
-picture to_picture(const rendering& result) {
+picture to_picture(const rendering& result, bool transparent) {
   const window& part = result.part;
   picture image{part.size.width,    part.size.height,   {}, {}, part.column, part.row,
                 result.whole.width, result.whole.height};
@@ -246,6 +255,8 @@ picture to_picture(const rendering& result) {
   add("R", result.pixels, [](const pixel& p) { return p.colour[0]; });
   add("G", result.pixels, [](const pixel& p) { return p.colour[1]; });
   add("B", result.pixels, [](const pixel& p) { return p.colour[2]; });
+  if (transparent)
+    add("A", result.pixels, [](const pixel& p) { return p.alpha; });
   add("Z", result.pixels, [](const pixel& p) { return p.depth; });
   if (result.facts.empty())
     return image;

@@ -43,6 +43,7 @@ private:
     octree::ray ray;
     octree::surface_hit hit;
     vec3 point, normal;
+    bool inside; ///< from f < 0
     std::size_t object;
     departure from;
     std::uint64_t shadowed; ///< bit i: light i is proven to be hidden
@@ -66,6 +67,9 @@ private:
   std::vector<double> weights_;
   std::vector<departure> departures_;
 };
+
+/// Whether the ray sees what is behind the surface.
+inline bool sees_background(octree::verdict v) { return v == octree::verdict::miss; }
 
 /// o + t d, rounded.
 inline vec3 point_at(const octree::ray& r, double t) {

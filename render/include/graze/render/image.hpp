@@ -11,7 +11,8 @@ namespace graze::render {
 
 /// One plane of values, row by row from the top.
 struct channel {
-  std::string name; ///< "R", "G", "B", "Z"; of a layer "normal.X" and so on
+  /// "R", "G", "B", "Z"; "A", by which R, G and B are multiplied; of a layer "normal.X" and so on
+  std::string name;
   std::vector<float> values;
 };
 
@@ -40,7 +41,7 @@ std::uint8_t srgb_byte(float linear);
 /// and before threads are started. exr: the plug-in graze_exr.so; png: nothing.
 support::status prepare_to_encode(file_format format);
 
-/// The bytes of the file. png: the channels R, G, B as 8-bit sRGB. exr: every channel as a 32-bit
+/// The bytes of the file. png: the channels R, G, B as 8-bit sRGB; with A, these divided by it, and it. exr: every channel as a 32-bit
 /// float, lossless. The same picture gives the same bytes: no date is written.
 expected<std::vector<unsigned char>> encode(const picture& image, file_format format);
 

@@ -68,8 +68,9 @@ struct tally {
 
 /// What is seen at one pixel.
 struct pixel {
-  std::array<float, 3> colour; ///< linear
+  std::array<float, 3> colour; ///< linear; of a transparent scene times `alpha`
   float depth;                 ///< from the eye, in scene length; infinity where nothing was hit
+  float alpha = 1; ///< the part of the pixel's rays that do not see a transparent background
 };
 
 /// What else is known of the ray through a pixel's centre.
@@ -103,8 +104,8 @@ rendering render_picture(const scene& s, const caster& surface, const settings& 
                          const std::atomic<bool>* stop = nullptr,
                          const progress_report& report = {});
 
-/// Channels R, G, B and Z; with facts also depth.width, normal.X, normal.Y, normal.Z, object.id,
+/// Channels R, G, B, Z, and A where `transparent`; with facts also depth.width, normal.X, normal.Y, normal.Z, object.id,
 /// verdict.code and steps.octants.
-picture to_picture(const rendering& result);
+picture to_picture(const rendering& result, bool transparent = false);
 
 } // namespace graze::render
