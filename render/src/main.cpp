@@ -3,6 +3,7 @@
 #include "scene_options.hpp"
 #include "view_options.hpp"
 
+#include <graze/render/arrays.hpp>
 #include <graze/render/picture_texts.hpp>
 #include <graze/render/scene_text.hpp>
 #include <graze/support/files.hpp>
@@ -123,13 +124,24 @@ nlohmann::ordered_json counts_of(const tally& c) {
           {"longest_shift", c.longest_shift}};
 }
 
-/// Nothing of it depends on the time, the machine, or the number of threads.
-void describe(picture& image, const request& r, const scene& s, const rendering& result) {
-  image.metadata = {{"Software", software},
-                    {"graze:scene", text_of(s)},
-                    {"graze:settings", r.settings.text()},
-                    {"graze:counts", counts_of(result.counts).dump()},
-                    {"graze:complete", result.complete ? "yes" : "no"}};
+/// What a file tells of itself. Nothing of it depends on the time, the machine, or the number of
+/// threads.
+std::vector<std::pair<std::string, std::string>> description(const request& r, const scene& s,
+                                                             const rendering& result) {
+  return {{"Software", software},
+          {"graze:scene", text_of(s)},
+          {"graze:settings", r.settings.text()},
+          {"graze:counts", counts_of(result.counts).dump()},
+          {"graze:complete", result.complete ? "yes" : "no"}};
+}
+
+expected<std::vector<unsigned char>> bytes_of(const request& r, const scene& s,
+                                              const rendering& result, file_format format) {
+  if (format == file_format::npz)
+    return encode_npz(result, description(r, s, result));
+  picture image = to_picture(result, s.transparent);
+  image.metadata = description(r, s, result);
+  return encode(image, format);
 }
 
 void print_summary(const request& r, const scene& s, int frame, const std::string& file,
@@ -176,9 +188,7 @@ void print_summary(const request& r, const scene& s, int frame, const std::strin
 /// The picture into its file.
 status write_picture(const request& r, const scene& s, const rendering& result,
                      const std::string& file) {
-  picture image = to_picture(result, s.transparent);
-  describe(image, r, s, result);
-  const auto bytes = encode(image, *format_of(file));
+  const auto bytes = bytes_of(r, s, result, *format_of(file));
   if (!bytes)
     return unexpected{bytes.reason()};
   return write_atomically(file, *bytes);
@@ -199,7 +209,7 @@ int render_to_files(const request& r, const task& t) {
   progress_line line("pixels", r.progress);
   const settings loop = {chosen.size, static_cast<unsigned>(r.threads),
                          chosen.mode, side_of(chosen.spp),
-                         chosen.crop, *format_of(r.output) == file_format::exr};
+                         chosen.crop, *format_of(r.output) != file_format::png};
   const int frames = static_cast<int>(t.files.size());
   for (int i = 0; i < frames; ++i) {
     const std::string& file = t.files[static_cast<std::size_t>(i)];
@@ -243,7 +253,9 @@ void declare(CLI::App& app, request& r) {
   app.add_option(
          "-o,--output", r.output,
          "The picture: .png (8-bit sRGB) or .exr (linear floats: R, G, B; Z, the distance\n"
-         "from the eye; depth.width, normal.X .Y .Z, object.id, verdict.code, steps.octants)")
+         "from the eye; depth.width, normal.X .Y .Z, object.id, verdict.code, steps.octants,\n"
+         "and bounds); or what is proven of each ray, .npz (NumPy: bounds in doubles of depth,\n"
+         "point and normal; verdict, object)")
       ->required();
   const auto mode = app.add_option("--mode", r.mode,
                                    "cast: light only; trace: shadows and 5 levels of reflection")
@@ -287,6 +299,7 @@ void declare(CLI::App& app, request& r) {
       "  graze-render --formula \"x*y*z + 1/10\" --domain=-1,1 --up z --orbit 36 -o around.png\n"
       "  graze-render --formula \"x^2 + y^2 - z^2\" --azimuth 30 --size 4096 --spp 16 \\\n"
       "    --background transparent --colour steelblue -o figure.png\n"
+      "  graze-render --scene tanglecube -o tanglecube.npz  # depth into NumPy\n"
       "  graze-render --again spheres.exr -o the_same.exr");
 }
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 #include <graze/support/threads.hpp>
 #include <limits>
 #include <mutex>
@@ -114,6 +115,10 @@ private:
   }
 
   void note_facts() {
+    if (settings_.facts) {
+      proofs_.resize(rays_.size());
+      surface_.whole().prove(rays_, hits_, proofs_);
+    }
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       const octree::surface_hit& h = hits_[k];
       const vec3& d = rays_[k].direction();
@@ -138,6 +143,7 @@ private:
         continue;
       pixel_facts& f = target_.facts[at(k)];
       f.verdict = static_cast<int>(h.outcome);
+      f.proven = proofs_[k];
       f.steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(steps_[k], ~std::uint32_t{0}));
       if (h.outcome == octree::verdict::miss)
         continue;
@@ -174,8 +180,35 @@ private:
   std::vector<octree::ray> rays_;
   std::vector<octree::surface_hit> hits_;
   std::vector<std::uint64_t> steps_;
+  std::vector<proof> proofs_;
 };
 
+} // namespace
+
+namespace {
+/// Part `index` of the floats whose sum is x: 24 bits each, so that three have all of it. What has no
+/// float, since it is too small or too large, is rounded up, so that the sum is no less than x.
+float part_up(double x, int index) {
+  constexpr float greatest = std::numeric_limits<float>::max();
+  for (int i = 0;; ++i) {
+    float part = static_cast<float>(x);
+    if (i == 2 && static_cast<double>(part) < x)
+      part = std::nextafter(part, std::numeric_limits<float>::infinity());
+    if (std::isinf(part) && std::isfinite(x))
+      part = x > 0 ? part : -greatest; // infinity, or the rest is lost
+    if (i == index)
+      return part;
+    x = std::isfinite(part) && part != -greatest ? x - static_cast<double>(part) : 0;
+  }
+}
+float part_down(double x, int index) { return -part_up(-x, index); }
+float float_up(double x) {
+  const auto near = static_cast<float>(x);
+  return static_cast<double>(near) < x
+             ? std::nextafter(near, std::numeric_limits<float>::infinity())
+             : near;
+}
+float float_down(double x) { return -float_up(-x); }
 } // namespace
 
 tally& tally::operator+=(const tally& part) {
@@ -268,6 +301,18 @@ picture to_picture(const rendering& result, bool transparent) {
   add("object.id", result.facts, [](const facts& f) { return f.object; });
   add("verdict.code", result.facts, [](const facts& f) { return f.verdict; });
   add("steps.octants", result.facts, [](const facts& f) { return f.steps; });
+  for (const int i : {0, 1, 2}) {
+    add(fmt::format("depth.lower.{}", i + 1), result.facts,
+        [i](const facts& f) { return part_down(f.proven.depth_lower, i); });
+    add(fmt::format("depth.upper.{}", i + 1), result.facts,
+        [i](const facts& f) { return part_up(f.proven.depth_upper, i); });
+  }
+  for (const std::size_t a : {0u, 1u, 2u}) {
+    add(fmt::format("normal.lower.{}", "XYZ"[a]), result.facts,
+        [a](const facts& f) { return float_down(f.proven.normal.lo[a]); });
+    add(fmt::format("normal.upper.{}", "XYZ"[a]), result.facts,
+        [a](const facts& f) { return float_up(f.proven.normal.hi[a]); });
+  }
   return image;
 }
 

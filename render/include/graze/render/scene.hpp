@@ -7,6 +7,7 @@
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree_formula.hpp>
 #include <graze/render/camera.hpp>
+#include <graze/render/proof.hpp>
 #include <graze/render/secondary.hpp>
 #include <graze/render/shading.hpp>
 #include <graze/render/view.hpp>
@@ -35,6 +36,9 @@ public:
   /// departures as hits.
   virtual void depart(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
                       std::span<departure> departures) const = 0;
+  /// What is proven of each ray and its end. As many of each.
+  virtual void prove(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
+                     std::span<proof> proofs) const = 0;
   /// Leaves of the octree in which the surface may be; 0 where there is none.
   virtual std::uint64_t octree_leaves() const = 0;
 };
