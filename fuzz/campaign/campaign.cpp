@@ -166,7 +166,7 @@ trial trial_source::at(std::uint64_t index) {
 campaign_result search_rays(const campaign_plan& plan, schedule& stretches, hang_counts& hangs) {
   const auto under_test = plan.under_test.guarded();
   const promise promised = under_test->promises();
-  const double tolerance = under_test->tolerance().value_or(usual_tolerance);
+  const allowance allowed = allowance_of(*under_test);
   trial_source source(plan);
   campaign_result result(plan.generators.size());
   // a traversal is asked as many at a time as suits it, after fewer: 1, 2, 4 and so on, so that the first
@@ -183,7 +183,7 @@ campaign_result search_rays(const campaign_plan& plan, schedule& stretches, hang
   };
 
   const auto judge_one = [&](std::uint64_t ray, const trial& t, const visited& answer) {
-    const verdict v = judge_answer(t, answer, promised, tolerance);
+    const verdict v = judge_answer(t, answer, promised, allowed);
     const std::size_t g = generator_of(plan, ray);
     result.by_generator[g].add(v);
     if (v.findings == 0)

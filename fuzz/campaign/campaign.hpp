@@ -38,6 +38,8 @@ struct counts {
   void add(const verdict& v);
   /// A ray that was not asked about.
   void add_unsent();
+  /// Rays whose answer was judged: all but those that were declined, or not sent.
+  [[nodiscard]] std::uint64_t judged() const { return rays - declined - unsent; }
   /// The share of the visits that is spurious.
   [[nodiscard]] double spurious_rate() const {
     return visited != 0 ? static_cast<double>(spurious) / static_cast<double>(visited) : 0;

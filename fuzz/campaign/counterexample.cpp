@@ -1,6 +1,7 @@
 #include <campaign/counterexample.hpp>
 #include <chrono>
 #include <generate/tame.hpp>
+#include <judge/answer_text.hpp>
 #include <shrink/small_witness.hpp>
 
 namespace graze::fuzz {
@@ -15,16 +16,25 @@ std::optional<counterexample> counterexample_of(const campaign_plan& plan,
     if (!ray || (simplest && std::chrono::steady_clock::now() >= end))
       continue;
     const trial found = trial_of(plan, *ray);
-    const trial shrunk = shrink_it ? shrink(found, *under_test, kind, 30'000, end, stop) : found;
+    const trial shrunk =
+        shrink_it ? shrink(found, *under_test, kind, 30'000, end, stop, plan.scene.grid != nullptr)
+                  : found;
     if (!simplest || complexity_of(shrunk) < complexity_of(simplest->shrunk))
       simplest = counterexample{kind, *ray, found, shrunk};
   }
-  // each hang costs its whole time; a map is not made anew
-  if (simplest && shrink_it && kind != finding::hang && !plan.scene.map)
+  // each hang costs its whole time; a grid or map is not made anew
+  if (simplest && shrink_it && kind != finding::hang && !plan.scene.grid)
     if (const auto small = small_witness(*under_test, kind, 10'000, end, stop, plan.scene);
         small && complexity_of(*small) < complexity_of(simplest->shrunk) &&
         (is_tame(*small) || !is_tame(simplest->found)))
       simplest->shrunk = *small;
+  if (simplest && kind > finding::not_a_number) {
+    visited answer;
+    ask(*under_test, simplest->shrunk, answer);
+    if (const auto at = trial_answered(simplest->shrunk, answer))
+      simplest->answer = answer_text(*at, truth_of(*at), answer, under_test->promises(),
+                                     allowance_of(*under_test));
+  }
   return simplest;
 }
 

@@ -13,6 +13,8 @@ struct counterexample {
   std::uint64_t ray; ///< its number in the campaign
   trial found;
   trial shrunk;
+  std::string
+      answer{}; ///< to `shrunk`, and what is right (judge/answer_text.hpp); empty of a fault
 };
 
 /// Of this kind; nothing when the campaign has not found it. With `shrink_it` false `shrunk` is the ray as

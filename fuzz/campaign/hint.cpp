@@ -32,16 +32,35 @@ std::optional<received_ray> received_as(const trial& t, other_ray r) {
   return made;
 }
 
-/// Whether the answer is right for that ray; nothing where it is none.
-std::optional<bool> is_right_for(const sample& s, other_ray r, promise p, double tolerance) {
+/// What is said of the entry is, each of it, a float.
+bool is_in_float(const remarks& said) {
+  const auto is_float = [](const std::optional<double>& x) {
+    return !x || adapter::to_float(vec3{*x, 0, 0})[0] == *x;
+  };
+  return (said.t || said.distance) && is_float(said.t) && is_float(said.distance);
+}
+
+/// Wrong in t, distance or face alone.
+bool is_wrong_in_remarks(const sample& s, promise p, const allowance& allowed) {
+  constexpr finding_set remarks = bit(finding::distance) | bit(finding::face);
+  return (judge_answer(s.at, s.answer, p, allowed).findings & ~remarks) == 0;
+}
+
+/// Whether the answer is right for that ray; nothing where it is none, or where it tells nothing of float.
+std::optional<bool> is_right_for(const sample& s, other_ray r, promise p,
+                                 const allowance& allowed) {
   const auto ray = received_as(s.at, r);
   if (!ray)
+    return std::nullopt;
+  const bool in_float = r != other_ray::unit_direction;
+  if (in_float && !is_in_float(s.answer.said()) && is_wrong_in_remarks(s, p, allowed))
     return std::nullopt;
   visited answer = s.answer;
   answer.receive(*ray);
   constexpr double ulp_of_float = 0x1p29; // in those of double
-  const double allowed = r == other_ray::unit_direction ? tolerance : tolerance * ulp_of_float;
-  const verdict v = judge_answer(s.at, answer, p, allowed);
+  const verdict v = judge_answer(
+      s.at, answer, p,
+      in_float ? allowance{allowed.tolerance * ulp_of_float, reach_in_float} : allowed);
   return v.declined ? std::nullopt : std::optional(v.findings == 0);
 }
 
@@ -74,14 +93,15 @@ std::string_view advice_on(other_ray r) {
   }
 }
 
-std::optional<other_ray> hint_of(std::span<const sample> samples, promise p, double tolerance) {
+std::optional<other_ray> hint_of(std::span<const sample> samples, promise p,
+                                 const allowance& allowed) {
   std::optional<other_ray> best;
   double greatest = 0;
   for (const auto r :
        {other_ray::as_float, other_ray::unit_direction, other_ray::float_unit_direction}) {
     std::size_t asked = 0, right = 0;
     for (const sample& s : samples) {
-      const auto is_right = s.answer.received() ? std::nullopt : is_right_for(s, r, p, tolerance);
+      const auto is_right = s.answer.received() ? std::nullopt : is_right_for(s, r, p, allowed);
       asked += is_right ? 1 : 0;
       right += is_right == true ? 1 : 0;
     }
@@ -98,8 +118,7 @@ std::optional<other_ray> hint_of(const campaign_plan& plan, const campaign_resul
   if (result.samples.size() < least_samples)
     return std::nullopt;
   const auto under_test = plan.under_test.guarded();
-  return hint_of(result.samples, under_test->promises(),
-                 under_test->tolerance().value_or(usual_tolerance));
+  return hint_of(result.samples, under_test->promises(), allowance_of(*under_test));
 }
 
 } // namespace graze::fuzz

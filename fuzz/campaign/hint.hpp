@@ -13,9 +13,11 @@ std::string_view name_of(other_ray r);
 std::string_view advice_on(other_ray r);
 
 /// The other ray, if at least 8 samples have an answer that says nothing of the ray received and can be
-/// judged on it, and at least 80 % of them are right.
+/// judged on it, and at least 80 % of them are right. For rays in float t, distance and face are allowed
+/// ulps of float, so that a sample that is wrong in them alone would be right on whatever ray: it counts
+/// only if what it says is in float.
 std::optional<other_ray> hint_of(std::span<const sample> samples, promise p,
-                                 double tolerance = usual_tolerance);
+                                 const allowance& allowed = {});
 /// The same of a campaign's samples.
 std::optional<other_ray> hint_of(const campaign_plan& plan, const campaign_result& result);
 

@@ -54,8 +54,8 @@ std::optional<checked_piece> check_piece(const campaign_plan& plan, const stored
     if (stop.load())
       return std::nullopt;
     const std::uint64_t ray = shown[mix(number) % shown.size()];
-    const trial shrunk =
-        shrink(trial_of(plan, ray), *under_test, kind, 30'000, usual_deadline(), &stop);
+    const trial shrunk = shrink(trial_of(plan, ray), *under_test, kind, 30'000, usual_deadline(),
+                                &stop, plan.scene.grid != nullptr);
     if (stop.load())
       return std::nullopt;
     // one trial is one finding: what is most serious in it

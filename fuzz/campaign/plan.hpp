@@ -40,9 +40,10 @@ inline constexpr std::uint64_t usual_hangs = 3;
 struct campaign_plan : trial_plan {
   traversal_entry under_test{};
   std::vector<const generator*> generators;
-  scene_choice scene;  ///< what the rays go through
-  int level = 50;      ///< 1..53, of octants
-  int last_level = 50; ///< rays take the levels from `level` to this one in turn
+  scene_choice scene;    ///< what the rays go through
+  std::string grid_file; ///< the file of the scene's grid, for commands that ask again; empty: none
+  int level = 50;        ///< 1..53, of octants
+  int last_level = 50;   ///< rays take the levels from `level` to this one in turn
   search method = search::generators;
   bool until_finding = false; ///< ends soon after the first one
   bool tame = false; ///< rays that are not (generate/tame.hpp) are replaced by such that are

@@ -151,7 +151,7 @@ int replay_files(replay_options& options) {
   // a line of one file is known by its number
   const bool several = options.files.size() > 1 || cases->front().file != options.files.front();
   const auto under_test = entry->guarded();
-  const reader_of_test reader = reader_of(options.language, options.traversal);
+  const reader_of_test reader = reader_of(options.language, options.traversal, *entry);
   bool any = false, disagreed = false;
   check_report report{"replay", std::string(entry->name)};
   std::map<std::string, finding_set> lines;
@@ -175,6 +175,7 @@ int replay_files(replay_options& options) {
         return bad_input(path.reason());
       reproducer = path->spelled();
       written = fmt::format("; reproducer: {}", reproducer);
+      tell_of_test(*path);
     }
     if (options.checks.any()) {
       report.checks.push_back(check_of(named, r, *entry, reproducer));
@@ -197,10 +198,12 @@ int replay_files(replay_options& options) {
     }
     if (!r.thrown.empty())
       findings += fmt::format(" ({})", r.thrown);
-    print("{}: touches {}, crosses {}, owns {}; {} visited {}; finding:{}{}\n", place,
-          yes_or_no(r.touches != 0), yes_or_no(r.crosses != 0), yes_or_no(r.owns != 0),
-          shown(entry->name), yes_or_no(r.visited != 0), findings.empty() ? " none" : findings,
-          written);
+    const std::string owns = // boxes may overlap
+        c.at.boxes ? "" : fmt::format(", owns {}", yes_or_no(r.owns != 0));
+    print("{}: touches {}, crosses {}{}; {} visited {}; finding:{}{}{}\n", place,
+          yes_or_no(r.touches != 0), yes_or_no(r.crosses != 0), owns, shown(entry->name),
+          yes_or_no(r.visited != 0), findings.empty() ? " none" : findings,
+          r.answer.empty() || !r.thrown.empty() ? "" : "; " + r.answer, written);
   }
   if (stretches.done() < cases->size())
     return interrupted() ? ended_by_signal : refused;

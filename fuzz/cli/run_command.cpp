@@ -112,6 +112,7 @@ int run(run_options& options) {
       if (const status may = prepare_folder(folder); !may)
         return bad_input(may.reason());
   plan->first = options.first_ray;
+  plan->grid_file = options.scene.grid;
   plan->until_finding = options.until_finding;
   limit(*plan);
 
@@ -132,8 +133,9 @@ int run(run_options& options) {
   if (options.json) {
     print("{}\n", to_json(*plan, result, example, options.checks.known ? &report : nullptr));
   } else {
-    print("{} at level {}, seed {}: {} rays in {:.2f} s, {:.0f} rays/s{}\n{}",
-          shown(plan->under_test.name), named.level, plan->seed, result.total.rays, result.seconds,
+    print("{}{}, seed {}: {} rays in {:.2f} s, {:.0f} rays/s{}\n{}", shown(plan->under_test.name),
+          plan->scene.cells == cell_kind::cube ? fmt::format(" at level {}", named.level) : "",
+          plan->seed, result.total.rays, result.seconds,
           static_cast<double>(result.total.rays) / result.seconds,
           result.interrupted ? " (interrupted)" : "", table(*plan, result));
     if (result.first_miss_seconds)
@@ -153,7 +155,8 @@ int run(run_options& options) {
         return bad_input(written.reason());
   if (!options.reproducer.empty())
     for (const counterexample& c : examples) {
-      const reader_of_test reader = reader_of(options.language, options.traversal);
+      const reader_of_test reader =
+          reader_of(options.language, options.traversal, plan->under_test);
       reproduction shown_again = reproduction_of(c.shrunk, *plan->under_test.guarded(), c.kind,
                                                  plan->under_test.asked_for());
       shown_again.external = reader.external;
@@ -162,6 +165,7 @@ int run(run_options& options) {
         return bad_input(written.reason());
       if (!options.json)
         print("reproducer: {}\n", written->spelled());
+      tell_of_test(*written);
     }
   if (!options.checks.any())
     return example ? found : done;

@@ -44,9 +44,10 @@ support::status take_scene(const scene_options& options, named_plan& plan,
   if (!options.map.empty()) {
     if (!options.grid.empty() || (!options.cells.empty() && options.cells != "grid"))
       return unexpected{"--scene has a grid of its own: without --grid, and --cells grid"};
-    if (!(options.voxel_size >= 0) || !std::isfinite(options.voxel_size))
+    const double size = options.voxel_size.value_or(1);
+    if (!(size > 0) || !std::isfinite(size))
       return unexpected{"--voxel-size is not a length above 0"};
-    plan.scene = map_file{options.map, options.voxel_size, options.cell_centred};
+    plan.scene = map_file{options.map, options.voxel_size.value_or(0), options.cell_centred};
     plan.cells = "grid";
   }
   if (!options.cells.empty())

@@ -2,6 +2,7 @@
 /// The options of graze-fuzz that choose what rays go through.
 #include <CLI/CLI.hpp>
 #include <campaign/plan.hpp>
+#include <optional>
 
 namespace graze::fuzz {
 
@@ -10,7 +11,7 @@ struct scene_options {
   bool segments = false;
   std::string grid; ///< a file
   std::string map;  ///< a file, and what it leaves open
-  double voxel_size = 0;
+  std::optional<double> voxel_size;
   bool cell_centred = false;
 };
 

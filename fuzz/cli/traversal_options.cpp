@@ -3,6 +3,7 @@
 #include <external/libraries.hpp>
 #include <fmt/format.h>
 #include <graze/support/output.hpp>
+#include <graze/support/text.hpp>
 #include <report/reproducer/test_file.hpp>
 
 namespace graze::fuzz {
@@ -49,14 +50,20 @@ void add_language_option(CLI::App& app, std::string& language) {
       ->check(CLI::IsMember({"rust", "go", "java", "javascript", "python", "c++"}));
 }
 
-reader_of_test reader_of(const std::string& language, const traversal_options& options) {
+reader_of_test reader_of(const std::string& language, const traversal_options& options,
+                         const traversal_entry& chosen) {
   reader_of_test reader;
-  const std::string& command = options.external.command;
-  reader.written = language_of(language).value_or(language_of_command(command));
-  if (!command.empty())
-    if (const auto external = external_of(options))
-      reader.external = *external;
+  reader.written = language_of(language).value_or(language_of_command(options.external.command));
+  if (chosen.external)
+    reader.external = *chosen.external;
   return reader;
+}
+
+void tell_of_test(const written_reproducer& written) {
+  if (written.test.empty())
+    support::complain(fmt::format("{}: no test is written of a ray in a map: use graze-fuzz replay "
+                                  "{}.json",
+                                  support::shown(written.path), support::shown(written.path)));
 }
 
 expected<external_options> external_of(const traversal_options& options) {

@@ -40,12 +40,16 @@ inline constexpr const char* hangs_option = "After so many hangs of a generator 
 
 /// What --reproducer does.
 inline constexpr const char* reproducer_option =
-    "Write the shrunk counterexample to this folder: replay line, text, C++ snippet, picture, and "
-    "a test in "
-    "the language of --language";
+    "Write the shrunk counterexample to this folder: replay line, text, and a test in the language "
+    "of "
+    "--language; of a ray through octants a C++ snippet and a picture too";
+
+/// Says on standard error that there is no test, where there is none.
+void tell_of_test(const written_reproducer& written);
 
 /// Adds --language; gives for whom reproducers are written, once options were parsed.
 void add_language_option(CLI::App& app, std::string& language);
-reader_of_test reader_of(const std::string& language, const traversal_options& options);
+reader_of_test reader_of(const std::string& language, const traversal_options& options,
+                         const traversal_entry& chosen);
 
 } // namespace graze::fuzz

@@ -47,11 +47,13 @@ std::optional<std::size_t> wrong_echo(const echoed& echo) {
 
 std::string wrong_echo_text(const echoed& echo, std::size_t place, line_format format) {
   const double sent = hard_numbers()[place], came = echo.numbers[place];
+  const bool is_ulp_off = came == step_ulps(sent, 1) || came == step_ulps(sent, -1);
   return fmt::format(
       "reads or writes doubles wrong: of \"echo\", {} (bits {}) came back as {} (bits "
-      "{}); {} (docs/adapters.md#numbers)",
+      "{}); {}{} (docs/adapters.md#numbers)",
       sent, bits_of(sent), came, bits_of(came),
-      format == line_format::json ? "take and give back the strings of \"bits\"" : "take --bits");
+      format == line_format::json ? "take and give back the strings of \"bits\"" : "take --bits",
+      is_ulp_off ? ", or, in Rust, serde_json's feature float_roundtrip" : "");
 }
 
 /// The beginning of what a peer has said, on one line.
@@ -83,6 +85,7 @@ public:
     constexpr double ulp_of_float = 0x1p29; // in those of double
     return o.as_float ? o.tolerance.value_or(usual_tolerance) * ulp_of_float : o.tolerance;
   }
+  [[nodiscard]] bool in_float() const override { return plan_->options.as_float; }
   [[nodiscard]] std::size_t at_once() const override { return std::max<std::size_t>(64, batch()); }
 
   void visit(const trial& t, visited& out) override { alone(t, out); }
@@ -140,7 +143,10 @@ public:
     default:
       return fmt::format("answered a first ray with what is no answer: \"{}\": {} (see "
                          "docs/adapters.md)",
-                         shown(line_), out.thrown().empty() ? "a NaN" : out.thrown());
+                         shown(line_),
+                         out.failed() == fault::not_a_number ? "a NaN"
+                         : out.thrown().empty()              ? "a line without end"
+                                                             : out.thrown());
     }
   }
   [[nodiscard]] const hello& greeting() const { return hello_; }
@@ -162,7 +168,8 @@ private:
   fault ready() {
     fault before = fault::none;
     if (process_.ours()) {
-      if (!process_.unread())
+      // what one says first may come now, after listen()
+      if ((is_fresh_ && is_unasked_) || !process_.unread())
         return fault::none;
       // it has ended since its last answer, or said what it was not asked
       line_.clear();
@@ -491,6 +498,23 @@ std::vector<std::string> notices_of(const command_plan& p, const echoed& echo,
 
 } // namespace
 
+std::string first_request(const trial& t, const external_options& options) {
+  trial sent = t;
+  if (options.as_float) {
+    visited rounded;
+    rounded.receive(rounded_to_float(t));
+    sent = trial_answered(t, rounded).value_or(t);
+  }
+  std::string text;
+  constexpr std::size_t first = 0;
+  const opening told{options.echo, true};
+  if (options.batch == 0)
+    append_request(text, sent, 0, options.format, told);
+  else
+    append_batch(text, {&sent, 1}, {&first, 1}, 0, options.format, told);
+  return text;
+}
+
 received_ray rounded_to_float(const trial& t) {
   received_ray r{adapter::to_float(t.origin), adapter::to_float(t.direction)};
   if (t.end) {
@@ -591,7 +615,9 @@ expected<traversal_entry> external_traversal(const external_options& options) {
     shared->options.show_errors = options.show_errors;
     // others start as fast, or, on a machine that is busy, ten times slower
     shared->start_seconds = std::max(1.0, 10 * seconds);
+    shared->options.echo = shared->echo;
     traversal_entry entry = entry_of(shared, spelled(options));
+    entry.external = std::shared_ptr<const external_options>(shared, &shared->options);
     for (const std::string& notice : notices_of(*shared, tried.echo(), first))
       entry.notices.push_back(
           fmt::format("the command {}: {}", shell_word(options.command), notice));

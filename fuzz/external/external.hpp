@@ -23,6 +23,7 @@ struct external_options {
       false; ///< rays and boxes are rounded to float before they are sent, and judged so
   bool needs_received = false; ///< an answer without the ray that was received is malformed
   bool show_errors = false;    ///< its standard error is ours
+  bool echo = false; ///< its first request asks for the hard numbers back: as its first line says
   std::shared_ptr<const voxel_map> map; ///< all trials are of this map: it is told to the command
 };
 
@@ -41,6 +42,9 @@ expected<traversal_entry> external_traversal(const external_options& options);
 /// The same, not tried: for a program that is known to be there. Its promise is given.
 traversal_entry untried_external_traversal(const external_options& options, std::string_view name,
                                            std::string_view summary);
+
+/// The first request of a process, for this trial: as the traversal is asked in a campaign.
+std::string first_request(const trial& t, const external_options& options);
 
 /// The numbers that a traversal in float works on: the ray, the segment's end and the boxes of t, rounded.
 received_ray rounded_to_float(const trial& t);

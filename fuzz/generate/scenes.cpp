@@ -369,8 +369,16 @@ std::shared_ptr<const T> shared_scene(std::uint64_t seed, std::uint64_t number, 
   return known.scene;
 }
 
-/// As an owner has them: no edge is 2^20 times another, no box as far from the others.
-std::vector<octree::box> tame_boxes(random_stream& random) {
+/// One whose edges are tame.
+grid_planes tame_grid(random_stream& random) {
+  grid_planes g = random_grid(random);
+  while (!has_tame_edges(g))
+    g = random_grid(random);
+  return g;
+}
+
+/// Of random ones those that are near the first, and about as large.
+std::vector<octree::box> boxes_like_first(random_stream& random) {
   std::vector<octree::box> boxes = random_boxes(random);
   const octree::box first = boxes.front();
   double size = 0;
@@ -392,11 +400,21 @@ std::vector<octree::box> tame_boxes(random_stream& random) {
   return boxes;
 }
 
+/// As an owner has them: their edges are tame, and no box is 2^10 edges from the first.
+std::vector<octree::box> tame_boxes(random_stream& random) {
+  std::vector<octree::box> boxes = boxes_like_first(random);
+  while (!has_tame_edges(boxes))
+    boxes = boxes_like_first(random);
+  return boxes;
+}
+
 } // namespace
 
 trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, int level,
                  const scene_choice& scene, bool tame) {
   random_stream random(seed, index);
+  constexpr std::uint64_t tame_ones = std::uint64_t{1} << 62; // scenes are numbered apart
+  const std::uint64_t apart = tame ? tame_ones : 0;
   trial t;
   switch (scene.cells) {
   case cell_kind::cube:
@@ -404,7 +422,9 @@ trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, in
     g.make(random, t);
     break;
   case cell_kind::grid:
-    t.grid = scene.grid ? scene.grid : shared_scene<grid_planes>(seed, index / 64, random_grid);
+    t.grid = scene.grid ? scene.grid
+                        : shared_scene<grid_planes>(seed, index / 64 + apart,
+                                                    tame ? tame_grid : random_grid);
     t.map = scene.map;
     if (t.map)
       lead_through_map(g, random, t);
@@ -412,8 +432,7 @@ trial make_trial(const generator& g, std::uint64_t seed, std::uint64_t index, in
       lead_through_grid(g, random, t);
     break;
   case cell_kind::boxes: {
-    constexpr std::uint64_t tame_ones = std::uint64_t{1} << 62;
-    t.boxes = shared_scene<std::vector<octree::box>>(seed, index / 8 + (tame ? tame_ones : 0),
+    t.boxes = shared_scene<std::vector<octree::box>>(seed, index / 8 + apart,
                                                      tame ? tame_boxes : random_boxes);
     trial led;
     led.grid = planes_of(random, *t.boxes);

@@ -8,9 +8,10 @@ namespace graze::fuzz {
 
 namespace {
 
-constexpr double farthest = 16;    ///< of the origin, in root sizes
-constexpr double widest = 0x1p40;  ///< between components, and from 1 or the root's size
-constexpr double finest = 0x1p-80; ///< a component of the origin, in root sizes
+constexpr double farthest = 16;     ///< of the origin, in root sizes
+constexpr double widest = 0x1p40;   ///< between components, and from 1 or the root's size
+constexpr double finest = 0x1p-80;  ///< a component of the origin, in root sizes
+constexpr double steepest = 0x1p20; ///< between the edges of cells
 constexpr double normal = std::numeric_limits<double>::min();
 
 double largest_of(const vec3& v) {
@@ -131,7 +132,44 @@ void come_from_nearby(random_stream& random, trial& t, const frame& f) {
   }
 }
 
+/// Edges of cells, one after the other.
+class edges {
+public:
+  void add(double edge) {
+    if (edge == 0) // flat
+      return;
+    least_ = std::min(least_, edge);
+    greatest_ = std::max(greatest_, edge);
+  }
+  [[nodiscard]] bool are_tame() const {
+    return greatest_ == 0 ||
+           (1 / widest <= least_ && greatest_ <= widest && greatest_ <= steepest * least_);
+  }
+
+private:
+  double least_ = std::numeric_limits<double>::infinity(), greatest_ = 0;
+};
+
 } // namespace
+
+bool has_tame_edges(const grid_planes& g) {
+  edges all;
+  for (unsigned a = 0; a < 3; ++a) {
+    if (g.rule != plane_rule::given)
+      all.add(g.spacing[a]);
+    for (std::size_t k = 1; k < g.given[a].size(); ++k)
+      all.add(g.given[a][k] - g.given[a][k - 1]);
+  }
+  return all.are_tame();
+}
+
+bool has_tame_edges(const std::vector<octree::box>& boxes) {
+  edges all;
+  for (const octree::box& b : boxes)
+    for (unsigned a = 0; a < 3; ++a)
+      all.add(b.hi[a] - b.lo[a]);
+  return all.are_tame();
+}
 
 bool is_tame(const trial& t) {
   const frame f = frame_of(t);

@@ -8,13 +8,18 @@
 /// - the components of its direction are 0, or normal and within 2^40 of each other, the largest between
 ///   2^-40 and 2^40 (times the root's size, where that brings them further apart); of a segment they are
 ///   those of end - origin.
-/// Boxes that a campaign of tame rays makes have edges within 2^20 of each other, or flat (scenes.cpp).
+/// The grids and boxes that a campaign of tame rays makes have tame edges.
 #include <cstdint>
 #include <trial/trial.hpp>
 
 namespace graze::fuzz {
 
 [[nodiscard]] bool is_tame(const trial& t);
+
+/// Edges are tame where each is 0 (flat), or from 2^-40 to 2^40 and within 2^20 of all others: the spacings of
+/// a grid, or what lies between planes that are given, and the edges of boxes.
+[[nodiscard]] bool has_tame_edges(const grid_planes& g);
+[[nodiscard]] bool has_tame_edges(const std::vector<octree::box>& boxes);
 
 /// The trial itself where its ray is tame, and else one with the same block whose ray is tame, and hard in
 /// the same respect where that can be: a direction that is too small or too large is scaled by a power of

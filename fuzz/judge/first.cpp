@@ -21,13 +21,13 @@ void miss_first_crossed(const trial& t, const truth& exact, verdict& v) {
     v.findings |= bit(finding::gross_miss);
 }
 
-/// A box with its faces moved outwards, as far_spurious says.
-rational::box dilated(const trial& t, octant_number v) {
+/// A box with its faces moved outwards, as allowance::reach says.
+rational::box dilated(const trial& t, octant_number v, double share) {
   rational::box b = rational_cell(t, v);
   for (unsigned a = 0; a < 3; ++a) {
     const mpq_class reach =
         (abs(mpq_class(t.origin[a])) + std::max<mpq_class>(abs(b.lo[a]), abs(b.hi[a]))) *
-            mpq_class(0x1p-47) +
+            mpq_class(share) +
         mpq_class(0x1p-1000);
     b.lo[a] -= reach;
     b.hi[a] += reach;
@@ -37,9 +37,9 @@ rational::box dilated(const trial& t, octant_number v) {
 
 /// An untouched cell for which rounding may account, but which the ray comes to only after it has left
 /// the first crossed one.
-bool behind_first_crossed(const trial& t, const truth& exact, octant_number v) {
+bool behind_first_crossed(const trial& t, const truth& exact, octant_number v, double share) {
   const auto line = rational_line(t);
-  const auto there = rational::range_in(line, dilated(t, v));
+  const auto there = rational::range_in(line, dilated(t, v, share));
   const auto first = rational::range_in(line, rational_cell(t, exact.first_crossed));
   return there && first && there->first > first->second;
 }
@@ -87,15 +87,24 @@ bool right_t(const exact_entry& e, double said, double tolerance) {
   return within(mpq_class(said) - e.at, tolerance * e.unit);
 }
 
+/// The way to the entry, and by how much what is said of it may be off.
+struct exact_way {
+  exact_way(const exact_entry& e, double tolerance) {
+    const mpf_class speed = sqrt(mpf_class(e.speed, bits));
+    length = mpf_class(e.at, bits) * speed;
+    allowed = tolerance * std::max(e.unit * speed.get_d(), exact_entry::least);
+  }
+  static constexpr mp_bitcnt_t bits = 2400; ///< the square root of a double's square has no fewer
+  mpf_class length{0, bits};
+  double allowed = 0;
+};
+
 bool right_distance(const exact_entry& e, double said, double tolerance) {
-  constexpr mp_bitcnt_t bits = 2400; // the square root of a double's square has no fewer
-  const mpf_class speed = sqrt(mpf_class(e.speed, bits));
-  const mpf_class exact = mpf_class(e.at, bits) * speed;
+  const exact_way way(e, tolerance);
   if (!std::isfinite(said))
-    return said > 0 && exact > most;
-  const double allowed = tolerance * std::max(e.unit * speed.get_d(), exact_entry::least);
-  const mpf_class off = mpf_class(said, bits) - exact;
-  return !std::isfinite(allowed) || abs(off) <= mpf_class(allowed, bits);
+    return said > 0 && way.length > most;
+  const mpf_class off = mpf_class(said, exact_way::bits) - way.length;
+  return !std::isfinite(way.allowed) || abs(off) <= mpf_class(way.allowed, exact_way::bits);
 }
 
 /// The entry lies on the face, or the ray comes to its plane within the tolerance of it: at an edge each
@@ -121,6 +130,25 @@ void judge_remarks(const trial& t, octant_number v, const remarks& said, double 
     result.findings |= bit(finding::face);
 }
 
+/// The least double that is not below x.
+double at_least(const mpq_class& x) {
+  if (x > mpq_class(most))
+    return std::numeric_limits<double>::infinity();
+  if (x < mpq_class(-most))
+    return -most;
+  const double near = x.get_d(); // towards 0
+  return mpq_class(near) < x ? std::nextafter(near, std::numeric_limits<double>::infinity()) : near;
+}
+
+/// The doubles from which to which x is within what is allowed; above the greatest double all there are.
+std::array<double, 2> around(const mpq_class& x, double allowed) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(allowed))
+    return {-infinite, infinite};
+  const mpq_class off(allowed);
+  return {at_least(x - off), x > mpq_class(most) ? infinite : -at_least(-x - off)};
+}
+
 verdict verdict_of(const truth& exact, const visited& answer) {
   verdict v;
   v.touched = exact.touched;
@@ -132,8 +160,22 @@ verdict verdict_of(const truth& exact, const visited& answer) {
 
 } // namespace
 
+right_entry entry_into(const trial& t, octant_number v, double tolerance) {
+  const exact_entry e(t, v);
+  const exact_way way(e, tolerance);
+  right_entry right{
+      around(e.at, tolerance * e.unit), around(mpq_class(way.length), way.allowed), {}};
+  for (unsigned a = 0; a < 3; ++a)
+    for (const bool upper : {false, true})
+      if (right_face(e, {static_cast<std::uint8_t>(a), upper}, tolerance))
+        right.faces.push_back({upper ? '+' : '-', "xyz"[a]});
+  if (within(e.at, tolerance * e.unit))
+    right.faces.emplace_back("none");
+  return right;
+}
+
 verdict judge_first(const trial& t, const truth& exact, const visited& answer, promise p,
-                    double tolerance) {
+                    const allowance& allowed) {
   verdict v = verdict_of(exact, answer);
   const bool soonest = p == promise::first_touched;
   if (answer.size() > 1 || answer.repeated()) { // not one cell
@@ -154,9 +196,9 @@ verdict judge_first(const trial& t, const truth& exact, const visited& answer, p
   const octant_number cell = answer[0];
   if ((exact.touched & bit_of(cell)) == 0) {
     v.spurious = bit_of(cell);
-    if (far_from(t, v.spurious) != 0)
+    if (far_from(t, v.spurious, allowed.reach) != 0)
       v.findings |= bit(finding::far_spurious);
-    else if (exact.crossed != 0 && behind_first_crossed(t, exact, cell))
+    else if (exact.crossed != 0 && behind_first_crossed(t, exact, cell, allowed.reach))
       miss_first_crossed(t, exact, v);
     else if (soonest && exact.touched != 0)
       miss_soonest();
@@ -168,12 +210,12 @@ verdict judge_first(const trial& t, const truth& exact, const visited& answer, p
     miss_first_crossed(t, exact, v);
   else if (soonest && (exact.soonest & bit_of(cell)) == 0)
     miss_soonest();
-  judge_remarks(t, cell, answer.said(), tolerance, v);
+  judge_remarks(t, cell, answer.said(), allowed.tolerance, v);
   return v;
 }
 
 verdict judge_elsewhere(const trial& t, const truth& exact, const visited& answer, promise p,
-                        double tolerance) {
+                        const allowance& allowed) {
   verdict v = verdict_of(exact, answer);
   trial there = t; // a block of this one voxel
   std::copy(answer.elsewhere()->begin(), answer.elsewhere()->end(), there.base.begin());
@@ -187,8 +229,8 @@ verdict judge_elsewhere(const trial& t, const truth& exact, const visited& answe
   if (at.touched == 0) {
     v.spurious = 1; // one voxel, which is not the block's
     v.visited |= 1;
-    const auto near = rational::range_in(line, dilated(there, 0));
-    if (far_from(there, 1) != 0)
+    const auto near = rational::range_in(line, dilated(there, 0, allowed.reach));
+    if (far_from(there, 1, allowed.reach) != 0)
       v.findings |= bit(finding::far_spurious);
     else if (first && near && near->first > first->second)
       miss_first_crossed(t, exact, v);
@@ -205,11 +247,12 @@ verdict judge_elsewhere(const trial& t, const truth& exact, const visited& answe
       v.findings |= bit(finding::miss);
     }
   }
-  judge_remarks(there, 0, answer.said(), tolerance, v);
+  judge_remarks(there, 0, answer.said(), allowed.tolerance, v);
   return v;
 }
 
-verdict judge_any(const trial& t, const truth& exact, const visited& answer) {
+verdict judge_any(const trial& t, const truth& exact, const visited& answer,
+                  const allowance& allowed) {
   verdict v = verdict_of(exact, answer);
   v.visited = 0; // it says no cell
   const bool hit = answer.said().hit.value_or(answer.size() != 0);
@@ -222,7 +265,7 @@ verdict judge_any(const trial& t, const truth& exact, const visited& answer) {
   }
   if (hit && exact.touched == 0 && !t.map) {
     v.spurious = 1; // one answer too many
-    if (far_from(t, t.all()) == t.all())
+    if (far_from(t, t.all(), allowed.reach) == t.all())
       v.findings |= bit(finding::far_spurious);
   }
   return v;

@@ -29,7 +29,7 @@ std::string_view sentence_of(finding f) {
   case finding::malformed:
     return "the answer is none that can be read";
   case finding::gross_miss:
-    return "the ray is in a voxel on more than 1e-3 of its edge, and it was not reported";
+    return "the ray is in a voxel on more than 1e-3 of its greatest edge, and it was not reported";
   case finding::crossed_miss:
     return "the ray crosses the interior of a voxel that was not reported";
   case finding::gap:
@@ -132,7 +132,7 @@ bool in_range(const octree::box& b) {
 
 } // namespace
 
-octant_set far_from(const trial& t, octant_set cells) {
+octant_set far_from(const trial& t, octant_set cells, double share) {
   if (!in_range(t) || (t.cells() == cell_kind::cube &&
                        (t.root.size > 0x1p250 || std::fabs(t.root.lo[0]) > 0x1p250 ||
                         std::fabs(t.root.lo[1]) > 0x1p250 || std::fabs(t.root.lo[2]) > 0x1p250)))
@@ -148,7 +148,7 @@ octant_set far_from(const trial& t, octant_set cells) {
       const double lo = box.lo[a];
       const double hi = box.hi[a];
       const double reach =
-          0x1p-47 * (std::fabs(t.origin[a]) + std::max(std::fabs(lo), std::fabs(hi))) + 0x1p-1000;
+          share * (std::fabs(t.origin[a]) + std::max(std::fabs(lo), std::fabs(hi))) + 0x1p-1000;
       near[a] = lo - reach;
       beyond[a] = hi + reach;
     }
@@ -160,20 +160,17 @@ octant_set far_from(const trial& t, octant_set cells) {
   return far;
 }
 
-octant_set far_spurious(const trial& t, const truth& exact, const visited& answer) {
+octant_set far_spurious(const trial& t, const truth& exact, const visited& answer,
+                        const allowance& allowed) {
   const octant_set left = spurious(exact, answer);
-  return left == 0 ? 0 : far_from(t, left);
+  return left == 0 ? 0 : far_from(t, left, allowed.reach);
 }
 
 namespace {
 
-/// The shortest edge of a box that is not 0; 0 of a point.
-double shortest_edge(const octree::box& b) {
-  double least = 0;
-  for (unsigned a = 0; a < 3; ++a)
-    if (const double edge = b.hi[a] - b.lo[a]; edge != 0 && (least == 0 || edge < least))
-      least = edge;
-  return least;
+/// The greatest edge of a box; 0 of a point.
+double greatest_edge(const octree::box& b) {
+  return std::max({b.hi[0] - b.lo[0], b.hi[1] - b.lo[1], b.hi[2] - b.lo[2]});
 }
 
 /// Whether the ray's chord in a box is over edge / 1000, where long doubles prove it: their
@@ -213,17 +210,16 @@ std::optional<bool> is_gross(const trial& t, const octree::box& box, double edge
 bool is_gross_exactly(const trial& t, octant_number v) {
   const auto line = rational_line(t);
   const auto cell = rational_cell(t, v);
-  mpq_class least = 0;
+  mpq_class greatest = 0;
   for (unsigned a = 0; a < 3; ++a)
-    if (const mpq_class edge = cell.hi[a] - cell.lo[a]; edge != 0 && (least == 0 || edge < least))
-      least = edge;
+    greatest = std::max<mpq_class>(greatest, cell.hi[a] - cell.lo[a]);
   mpq_class square_of_length = 0; // of the direction
   for (const mpq_class& d : line.velocity)
     square_of_length += d * d;
   const auto in = oracle::rational::range_in(line, cell);
-  if (!in || least == 0)
+  if (!in)
     return false;
-  least /= 1000;
+  const mpq_class least = greatest / 1000;
   const mpq_class span = in->second - in->first;
   return span * span * square_of_length > least * least;
 }
@@ -236,7 +232,7 @@ octant_set gross(const trial& t, octant_set missed) {
   for (octant_set left = missed; left != 0; left &= left - 1) {
     const auto v = static_cast<octant_number>(std::countr_zero(left));
     const octree::box box = t.cell(v);
-    const auto known = doubles ? is_gross(t, box, shortest_edge(box)) : std::nullopt;
+    const auto known = doubles ? is_gross(t, box, greatest_edge(box)) : std::nullopt;
     if (known ? *known : is_gross_exactly(t, v))
       result |= octant_set{1} << v;
   }
@@ -269,8 +265,13 @@ support::status judgeable(promise p, cell_kind cells) {
   return {};
 }
 
+allowance allowance_of(const traversal& under_test) {
+  return {under_test.tolerance().value_or(usual_tolerance),
+          under_test.in_float() ? reach_in_float : allowance{}.reach};
+}
+
 verdict judge(const trial& t, const truth& exact, const visited& answer, promise p,
-              double tolerance) {
+              const allowance& allowed) {
   verdict v;
   v.touched = exact.touched;
   if (answer.failed() != fault::none) {
@@ -285,10 +286,10 @@ verdict judge(const trial& t, const truth& exact, const visited& answer, promise
   case promise::first:
   case promise::first_touched:
     if (answer.elsewhere())
-      return judge_elsewhere(t, exact, answer, p, tolerance);
-    return judge_first(t, exact, answer, p, tolerance);
+      return judge_elsewhere(t, exact, answer, p, allowed);
+    return judge_first(t, exact, answer, p, allowed);
   case promise::any:
-    return judge_any(t, exact, answer);
+    return judge_any(t, exact, answer, allowed);
   case promise::count:
     return judge_count(t, exact, answer);
   default:
@@ -320,16 +321,16 @@ verdict judge(const trial& t, const truth& exact, const visited& answer, promise
     v.findings |= bit(finding::revisit);
   if (answer.outside())
     v.findings |= bit(finding::outside);
-  if (v.spurious != 0 && far_spurious(t, exact, answer) != 0)
+  if (v.spurious != 0 && far_spurious(t, exact, answer, allowed) != 0)
     v.findings |= bit(finding::far_spurious);
   if (v.spurious != 0 && is_exact(p))
     v.findings |= bit(finding::spurious);
   return v;
 }
 
-verdict judge_answer(const trial& t, const visited& answer, promise p, double tolerance) {
+verdict judge_answer(const trial& t, const visited& answer, promise p, const allowance& allowed) {
   if (const auto at = trial_answered(t, answer))
-    return judge(*at, truth_of(*at), answer, p, tolerance);
+    return judge(*at, truth_of(*at), answer, p, allowed);
   verdict v;
   v.declined = true;
   return v;
@@ -338,8 +339,7 @@ verdict judge_answer(const trial& t, const visited& answer, promise p, double to
 verdict judge(const trial& t, traversal& under_test) {
   visited answer;
   ask(under_test, t, answer);
-  return judge_answer(t, answer, under_test.promises(),
-                      under_test.tolerance().value_or(usual_tolerance));
+  return judge_answer(t, answer, under_test.promises(), allowance_of(under_test));
 }
 
 } // namespace graze::fuzz

@@ -100,14 +100,28 @@ inline bool out_of_order(const truth& exact, const visited& answer) {
   return false;
 }
 
+/// Ulps by which the entry into a first cell may be off where nobody says otherwise.
+inline constexpr double usual_tolerance = 16;
+
+/// What is put down to rounding.
+struct allowance {
+  double tolerance = usual_tolerance; ///< of t, distance and face, in ulps of double
+  /// By so much of |origin| and of the greater of |lo| and |hi|, on each axis, a cell's faces are moved
+  /// outwards before one that is reported and not touched counts as far: 64 roundings of either.
+  double reach = 0x1p-47;
+};
+inline constexpr double reach_in_float = 0x1p-18;
+/// As the traversal says: of one in float 64 roundings are those of float.
+allowance allowance_of(const traversal& under_test);
+
 /// Spurious octants that rounding does not explain: the ray does not even touch the octant with its
-/// faces moved outwards by 2^-47 of their distances from the ray's origin and from 0 (64 roundings
-/// of either). Empty where products of the ray's components may leave the range of double, since
-/// there nothing can be told from rounding.
-octant_set far_spurious(const trial& t, const truth& exact, const visited& answer);
+/// faces moved outwards, as allowance says. Empty where products of the ray's components may leave the
+/// range of double, since there nothing can be told from rounding.
+octant_set far_spurious(const trial& t, const truth& exact, const visited& answer,
+                        const allowance& allowed = {});
 
 /// Of the missed octants those with a chord (the length of the ray in the closed octant) of more
-/// than 1e-3 of their edge: rounding in double does not explain them. Exact, by rationals.
+/// than 1e-3 of their greatest edge: they are seen in a picture of the octant. Exact, by rationals.
 octant_set gross(const trial& t, octant_set missed);
 
 /// The kinds of finding, most serious first; a set of them is a finding_set. A gross miss is a
@@ -162,9 +176,6 @@ struct verdict {
 /// ray, or when the trial was declined.
 std::optional<trial> trial_answered(const trial& t, const visited& answer);
 
-/// Ulps by which the entry into a first cell may be off where nobody says otherwise.
-inline constexpr double usual_tolerance = 16;
-
 /// Judges an answer by its promise. Order is judged where owning octants are promised. `t` is the
 /// trial that the answer is for.
 ///
@@ -173,11 +184,11 @@ inline constexpr double usual_tolerance = 16;
 /// components; a distance in those times |d|. A face is right if its plane is met at the entry within this
 /// tolerance; that none is entered, if the entry is as close to t = 0.
 verdict judge(const trial& t, const truth& exact, const visited& answer, promise p,
-              double tolerance = usual_tolerance);
+              const allowance& allowed = {});
 
 /// Judges an answer to t on the ray that was received.
 verdict judge_answer(const trial& t, const visited& answer, promise p,
-                     double tolerance = usual_tolerance);
+                     const allowance& allowed = {});
 
 /// Whether the promise says something of these cells, or why not.
 support::status judgeable(promise p, cell_kind cells);

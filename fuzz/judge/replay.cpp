@@ -1,5 +1,6 @@
 #include <cmath>
 #include <graze/support/text.hpp>
+#include <judge/answer_text.hpp>
 #include <judge/exact_cells.hpp>
 #include <judge/replay.hpp>
 #include <limits>
@@ -88,9 +89,10 @@ replay_result replay(const trial& given, traversal& under_test) {
   r.oracles_agree = exact.touched == fast.touched && exact.crossed == fast.crossed &&
                     exact.owned == fast.owned && exact.soonest == fast.soonest &&
                     exact.not_after == fast.not_after;
-  const verdict v = judge(t, exact, answer, under_test.promises(),
-                          under_test.tolerance().value_or(usual_tolerance));
+  const verdict v = judge(t, exact, answer, under_test.promises(), allowance_of(under_test));
   r.findings = v.findings;
+  if (v.findings != 0)
+    r.answer = answer_text(t, exact, answer, under_test.promises(), allowance_of(under_test));
   r.declined = v.declined;
   return r;
 }
@@ -102,7 +104,8 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
   line["traversal"] = traversal_name;
   line["touches"] = r.touches != 0;
   line["crosses"] = r.crosses != 0;
-  line["owns"] = r.owns != 0;
+  const auto owned = [&c](bool is) { return c.at.boxes ? json() : json(is); }; // they may overlap
+  line["owns"] = owned(r.owns != 0);
   line["visited"] = r.visited != 0;
   const octant_set cells = c.at.all();
   const auto passage = [&r](json& into, octant_number v) {
@@ -135,7 +138,7 @@ std::string to_json_line(const replay_case& c, const replay_result& r,
       cell["lo"] = hex(c.at.octant(v).lo);
     cell["touches"] = has(r.touches, v);
     cell["crosses"] = has(r.crosses, v);
-    cell["owns"] = has(r.owns, v);
+    cell["owns"] = owned(has(r.owns, v));
     cell["visited"] = has(r.visited, v);
     passage(cell, v);
     line[c.at.boxes ? "boxes" : (c.at.grid ? "voxels" : "octants")].push_back(std::move(cell));

@@ -17,6 +17,8 @@ struct replay_result {
   bool oracles_agree = true; ///< the rational answers are those that the campaign judges by
   bool declined = false;     ///< the traversal does not take this case: nothing was judged
   std::string thrown;        ///< what an exception says, where that is the finding
+  std::string
+      answer; ///< what was answered and is right (answer_text.hpp), where there is a finding
   /// Of each touched cell, by its number: enclosures of the first and last t of the line in it.
   std::vector<std::array<bounds, 2>> passages;
 };

@@ -92,7 +92,7 @@ std::string kinds_of(const campaign_result& result) {
   for (const finding kind : kinds) {
     const std::uint64_t rays = result.total.rays_with[static_cast<unsigned>(kind)];
     text +=
-        fmt::format("{:<13}{:>10} of {} rays{}: {}\n", name_of(kind), rays, result.total.rays,
+        fmt::format("{:<13}{:>10} of {} judged{}: {}\n", name_of(kind), rays, result.total.judged(),
                     result.is_on_tame_ray(kind) ? "" : ", none of them tame", sentence_of(kind));
   }
   return text;
@@ -114,11 +114,14 @@ std::string spelled(const trial& t) {
 } // namespace
 
 std::string command_of(const campaign_plan& plan, std::uint64_t ray) {
-  std::string command =
-      fmt::format("graze-fuzz run {} --level {}", plan.under_test.asked_for(), plan.level);
-  if (plan.last_level != plan.level)
+  std::string command = fmt::format("graze-fuzz run {}", plan.under_test.asked_for());
+  if (plan.scene.cells == cell_kind::cube)
+    command += fmt::format(" --level {}", plan.level);
+  if (plan.scene.cells == cell_kind::cube && plan.last_level != plan.level)
     command += fmt::format("-{}", plan.last_level);
-  if (plan.scene.cells != cell_kind::cube)
+  if (!plan.grid_file.empty())
+    command += " --grid " + shell_word(plan.grid_file);
+  else if (plan.scene.cells != cell_kind::cube)
     command += fmt::format(" --cells {}", name_of(plan.scene.cells));
   if (plan.scene.segments)
     command += " --segments";
@@ -157,11 +160,14 @@ std::string describe(const campaign_plan& plan, const campaign_result& result,
   std::string text;
   if (const auto hint = hint_of(plan, result))
     text += fmt::format("{}\n", advice_on(*hint));
-  text +=
-      kinds_of(result) + fmt::format("{} by {}, ray {} of seed {} ({}):\n{}shrunk:\n{}",
-                                     name_of(c.kind), support::shown(plan.under_test.name), c.ray,
-                                     plan.seed, plan.generators[generator_of(plan, c.ray)]->name,
-                                     spelled(c.found), spelled(c.shrunk));
+  text += kinds_of(result) + fmt::format("{} by {}, ray {} of seed {} ({}):\n{}", name_of(c.kind),
+                                         support::shown(plan.under_test.name), c.ray, plan.seed,
+                                         plan.generators[generator_of(plan, c.ray)]->name,
+                                         spelled(c.found));
+  if (c.shrunk != c.found)
+    text += "shrunk:\n" + spelled(c.shrunk);
+  if (!c.answer.empty())
+    text += support::shown(c.answer, 1000) + "\n";
   text += fmt::format("replay: {}\n", replay_command(plan, c));
   for (const finding kind : result.kinds_found()) {
     if (kind != c.kind)

@@ -296,12 +296,13 @@ trial shrink(const trial& failing, const std::function<bool(const trial&)>& stil
 }
 
 trial shrink(const trial& failing, traversal& under_test, finding kind, unsigned evaluations,
-             shrink_deadline end, const std::atomic<bool>* stop) {
+             shrink_deadline end, const std::atomic<bool>* stop, bool keeps_grid) {
   const bool tame = is_tame(failing); // an owner takes it, and is to take what it becomes
   return shrink(
       failing,
       [&](const trial& t) {
-        return (!tame || is_tame(t)) && std::chrono::steady_clock::now() < end &&
+        return (!keeps_grid || t.grid == failing.grid || *t.grid == *failing.grid) &&
+               (!tame || is_tame(t)) && std::chrono::steady_clock::now() < end &&
                (stop == nullptr || !stop->load()) &&
                (judge(t, under_test).findings & bit(kind)) != 0;
       },

@@ -36,10 +36,10 @@ inline shrink_deadline usual_deadline() {
 }
 
 /// The same for a traversal: keeps `kind` among the findings, judged exactly each time, and a tame ray
-/// (generate/tame.hpp) tame. Once `stop`
+/// (generate/tame.hpp) tame; with `keeps_grid` the grid stays as it is. Once `stop`
 /// is set, what there is then is given.
 trial shrink(const trial& failing, traversal& under_test, finding kind,
              unsigned evaluations = 30'000, shrink_deadline end = usual_deadline(),
-             const std::atomic<bool>* stop = nullptr);
+             const std::atomic<bool>* stop = nullptr, bool keeps_grid = false);
 
 } // namespace graze::fuzz

@@ -7,6 +7,8 @@
 
 namespace graze::fuzz {
 
+struct external_options;
+
 /// A traversal that can be chosen by name.
 struct traversal_entry {
   std::string_view name;
@@ -14,6 +16,8 @@ struct traversal_entry {
   std::function<std::unique_ptr<traversal>()> make;
   std::string options{};              ///< how a user asks for it; empty: "--traversal NAME"
   std::vector<std::string> notices{}; ///< lines for the user
+  /// Of a traversal in another process: how it is asked, its first line taken over.
+  std::shared_ptr<const external_options> external{};
 
   /// One that is made again after each exception, which may leave it in any state: its visit()
   /// tells what is thrown, by making it too, as fault::exception and throws nothing. The first is

@@ -162,6 +162,8 @@ struct traversal {
   }
   /// By how many ulps of double t and distance may be off; nothing where nobody has said so.
   [[nodiscard]] virtual std::optional<double> tolerance() const { return std::nullopt; }
+  /// It works in float, on rays and boxes that were rounded to it before they were sent.
+  [[nodiscard]] virtual bool in_float() const { return false; }
   /// So many trials at a time suit it.
   [[nodiscard]] virtual std::size_t at_once() const { return 64; }
   /// Appends to `out` (cleared by the caller) the octants of t's block that the ray visits, in

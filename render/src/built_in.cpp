@@ -38,6 +38,7 @@ std::span<const scene> scenes() {
                      {{name, std::nullopt, {body_of(name)}}},
                      {},
                      default_background,
+                     {},
                      false,
                      std::nullopt});
     });

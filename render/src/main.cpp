@@ -66,7 +66,7 @@ struct task {
 
 /// What is rendered and, in r.settings, how; or the reason why that cannot be done. Asked before any
 /// work but that of finding the surface's extent.
-expected<task> understand(request& r) {
+expected<task> understand(request& r, formula_mark& where) {
   if (r.scene.count() + int{!r.again.empty()} != 1)
     return unexpected{
         "exactly one of --scene, --formula, --again is needed (--help shows the options)"};
@@ -99,7 +99,7 @@ expected<task> understand(request& r) {
       return unexpected{may.reason()};
     t.files.push_back(*std::move(file));
   }
-  auto s = r.again.empty() ? r.scene.read() : scene_of_picture(r.again, r.settings);
+  auto s = r.again.empty() ? r.scene.read(&where) : scene_of_picture(r.again, r.settings);
   if (!s)
     return unexpected{s.reason()};
   t.subject = *std::move(s);
@@ -296,6 +296,7 @@ void declare(CLI::App& app, request& r) {
       "  graze-render --scene tanglecube -o tanglecube.png\n"
       "  graze-render --scene spheres --mode trace --size 1024 -o spheres.exr\n"
       "  graze-render --formula \"x^4 + y^4 + z^4 - 1\" --domain=-1.5,1.5 --spp 4 -o cube.png\n"
+      "  graze-render --formula \"w = x^2 + y^2; w + z^2 = a*w^2 + 1\" --set a=1/3 -o ring.png\n"
       "  graze-render --formula \"x*y*z + 1/10\" --domain=-1,1 --up z --orbit 36 -o around.png\n"
       "  graze-render --formula \"x^2 + y^2 - z^2\" --azimuth 30 --size 4096 --spp 16 \\\n"
       "    --background transparent --colour steelblue -o figure.png\n"
@@ -318,9 +319,15 @@ int start(int argc, char** argv) {
   r.settings.method = of_descent || r.method == "descent" ? method::descent : method::certified;
   listen_for_interrupts();
   limit_memory();
-  const auto t = understand(r);
-  if (!t)
-    return bad_input(t.reason());
+  formula_mark where;
+  const auto t = understand(r, where);
+  if (!t) {
+    complain(t.reason());
+    print_error(where.lines());
+    return refused;
+  }
+  if (const std::string note = note_on(t->subject); !note.empty())
+    complain(note);
   if (r.threads == 0)
     r.threads = static_cast<int>(default_threads());
   try {

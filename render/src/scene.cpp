@@ -105,7 +105,7 @@ expected<std::unique_ptr<caster>> make_caster(const octree::formula& source,
 expected<octree::formula> whole_formula(const scene& s) {
   if (s.shape.form == solid::kind::single)
     return *s.objects[s.shape.single].formula;
-  auto whole = octree::formula::parse(formula_text(s));
+  auto whole = octree::formula::parse(formula_text(s), nullptr, s.set);
   if (!whole)
     return unexpected{"all objects together: " + whole.reason()};
   return whole;
@@ -131,6 +131,20 @@ std::string formula_text(const scene& s) {
   if (s.shape.form == solid::kind::single)
     return s.objects[s.shape.single].formula->text();
   return text_of(s.shape, s.objects);
+}
+
+std::string note_on(const scene& s) {
+  std::vector<std::string> notes;
+  for (const object& part : s.objects)
+    if (part.formula)
+      for (std::string& note : part.formula->notes(s.domain))
+        if (std::find(notes.begin(), notes.end(), note) == notes.end())
+          notes.push_back(std::move(note));
+  constexpr std::size_t most = 3;
+  const std::size_t others = notes.size() - std::min(notes.size(), most);
+  notes.resize(notes.size() - others);
+  return fmt::format("{}{}", fmt::join(notes, " "),
+                     others != 0 ? fmt::format(" and {} more", others) : "");
 }
 
 std::size_t object_at(const scene& s, const vec3& point) {

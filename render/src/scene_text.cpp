@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <graze/support/text.hpp>
 #include <nlohmann/json.hpp>
 
 namespace graze::render {
@@ -13,10 +14,12 @@ using json = nlohmann::ordered_json;
 /// What is read: its keys are looked up by a tree, so that many of them take no time.
 using read_json = nlohmann::json;
 constexpr int most_nested = 64;
+constexpr std::size_t most_parameters = 1000;
 
 /// Thrown within this file only.
 struct refusal {
   std::string reason;
+  formula_mark where{};
 };
 
 /// A value and where it is: "lights[1].intensity".
@@ -24,8 +27,8 @@ class value {
 public:
   value(const read_json& node, std::string path) : json_(&node), path_(std::move(path)) {}
 
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw refusal{path_.empty() ? why : fmt::format("key {}: {}", path_, why)};
+  [[noreturn]] void refuse(const std::string& why, formula_mark where = {}) const {
+    throw refusal{path_.empty() ? why : fmt::format("key {}: {}", path_, why), std::move(where)};
   }
   /// Of an object; its keys must be among these.
   void check_keys(std::initializer_list<const char*> known) const {
@@ -56,6 +59,22 @@ public:
     if (!json_->is_string())
       refuse("must be a text");
     return json_->get<std::string>();
+  }
+  [[nodiscard]] std::vector<std::string> keys(std::size_t most) const {
+    if (!json_->is_object())
+      refuse("must be an object, { ... }");
+    if (json_->size() > most)
+      refuse(fmt::format("has {} keys, more than {}", json_->size(), most));
+    std::vector<std::string> all;
+    for (const auto& [key, unused] : json_->items())
+      all.push_back(key);
+    return all;
+  }
+  /// Of a number: its shortest decimal.
+  [[nodiscard]] std::string digits() const {
+    if (!json_->is_number())
+      refuse("must be a number or a text");
+    return json_->dump();
   }
   /// A number within [least, most].
   [[nodiscard]] double number(double least, double most) const {
@@ -112,11 +131,29 @@ material material_from(const value& v, material m) {
   return m;
 }
 
-octree::formula formula_from(const value& v) {
-  auto parsed = octree::formula::parse(v.text());
+octree::formula formula_from(const value& v, std::span<const octree::parameter> set) {
+  const std::string text = v.text();
+  std::size_t column = 0;
+  auto parsed = octree::formula::parse(text, &column, set);
   if (!parsed)
-    v.refuse(parsed.reason());
+    v.refuse(parsed.reason(), {text, column});
   return *std::move(parsed);
+}
+
+/// Those that are given, and those of the key that are not among them.
+std::vector<octree::parameter> set_from(const value& v, std::span<const octree::parameter> given) {
+  std::vector<octree::parameter> all(given.begin(), given.end());
+  for (const std::string& name : v.keys(most_parameters)) {
+    const value entry = v.at(name.c_str());
+    const std::string text = entry.is_text() ? entry.text() : entry.digits();
+    formula_mark where{text, 0};
+    auto made = octree::parameter::make(name, text, &where.column);
+    if (!made)
+      entry.refuse(made.reason(), where);
+    if (std::none_of(given.begin(), given.end(), [&](const auto& p) { return p.name == name; }))
+      all.push_back(*std::move(made));
+  }
+  return in_order(std::move(all));
 }
 
 solid solid_from(const value& v, const std::vector<object>& objects, int nested) {
@@ -245,22 +282,27 @@ void read_background(const value& v, scene& s) {
     s.background = colour_of(v);
 }
 
-scene scene_of(const value& v) {
-  v.check_keys({"name", "surface", "formula", "material", "objects", "solid", "domain", "camera",
-                "lights", "background", "colour", "inside_colour"});
+scene scene_of(const value& v, std::span<const octree::parameter> given) {
+  v.check_keys({"name", "surface", "formula", "material", "objects", "solid", "set", "domain",
+                "camera", "lights", "background", "colour", "inside_colour"});
   const int surfaces = int{v.has("surface")} + int{v.has("formula")} + int{v.has("objects")};
   if (surfaces != 1)
     v.refuse(surfaces == 0 ? "no surface: one of the keys surface, formula, objects is needed"
                            : "surface, formula and objects exclude each other");
   scene s{};
+  const std::vector<octree::parameter> set =
+      v.has("set") ? set_from(v.at("set"), given)
+                   : std::vector<octree::parameter>(given.begin(), given.end());
+  s.set = set;
   if (v.has("surface")) {
     const std::string name = v.at("surface").text();
     const scene* found = find_scene(name);
     if (found == nullptr)
       v.at("surface").refuse(fmt::format("there is no '{}'; there are {}", name, scene_names()));
     s = *found;
+    s.set = set;
   } else if (v.has("formula")) {
-    s.objects.push_back({"surface", formula_from(v.at("formula")), material{default_body}});
+    s.objects.push_back({"surface", formula_from(v.at("formula"), set), material{default_body}});
   } else {
     for (const value& o : v.at("objects").elements(most_objects)) {
       o.check_keys(
@@ -270,11 +312,13 @@ scene scene_of(const value& v) {
         if (other.name == name)
           o.at("name").refuse(fmt::format("there are two objects '{}'", name));
       s.objects.push_back(
-          {name, formula_from(o.at("formula")), material_from(o, material{default_body})});
+          {name, formula_from(o.at("formula"), set), material_from(o, material{default_body})});
     }
     if (s.objects.empty())
       v.at("objects").refuse("no surface: the list is empty");
   }
+  if (const support::status may = check_set(s); !may)
+    v.refuse(may.reason());
   if (v.has("material")) {
     if (v.has("objects"))
       v.at("material").refuse("objects have their own");
@@ -347,13 +391,55 @@ json json_of(const material& m) {
 
 } // namespace
 
-expected<scene> scene_from(std::string_view text) {
+std::vector<octree::parameter> in_order(std::vector<octree::parameter> set) {
+  std::sort(set.begin(), set.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  return set;
+}
+
+support::status check_set(const scene& s) {
+  for (const octree::parameter& p : s.set)
+    if (std::none_of(s.objects.begin(), s.objects.end(), [&](const object& part) {
+          return part.formula && part.formula->uses(p.name);
+        }))
+      return unexpected{fmt::format("no formula has the name '{}' that is set", p.name)};
+  return {};
+}
+
+std::string formula_mark::lines() const {
+  if (column == 0 || column > text.size() + 1)
+    return {};
+  // parts of the text as they are shown, and how many characters these have
+  const auto characters = [](std::string_view shown) {
+    return static_cast<std::size_t>(std::count_if(shown.begin(), shown.end(), [](char c) {
+      return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    }));
+  };
+  const auto cut = [](std::string& shown, std::size_t first) { // from a whole character
+    while (first < shown.size() && (static_cast<unsigned char>(shown[first]) & 0xc0) == 0x80)
+      ++first;
+    return first;
+  };
+  constexpr std::size_t most_before = 50, most_after = 40; // bytes, of many more
+  constexpr std::size_t whole = octree::formula::longest_text * 4;
+  std::string before = support::shown(text.substr(0, column - 1), whole),
+              after = support::shown(text.substr(column - 1), whole);
+  if (before.size() > most_before)
+    before = "..." + before.substr(cut(before, before.size() - most_before));
+  if (after.size() > most_after)
+    after = after.substr(0, cut(after, most_after)) + "...";
+  return fmt::format("  {}{}\n  {:{}}^\n", before, after, "", characters(before));
+}
+
+expected<scene> scene_from(std::string_view text, std::span<const octree::parameter> set,
+                           formula_mark* where) {
   if (text.size() > largest_scene_text)
     return unexpected{fmt::format("a scene of more than {} bytes", largest_scene_text)};
   try {
     const read_json document = read_json::parse(text);
-    return scene_of(value(document, ""));
+    return scene_of(value(document, ""), set);
   } catch (const refusal& r) {
+    if (where != nullptr)
+      *where = r.where;
     return unexpected{r.reason};
   } catch (const json::exception& e) {
     std::string why = e.what(); // "[json.exception...] parse error at line 1, column 3: ..."
@@ -377,6 +463,8 @@ std::string text_of(const scene& s) {
       j["objects"].push_back(std::move(part));
     }
     j["solid"] = json_of(s.shape, s.objects);
+    for (const octree::parameter& p : s.set)
+      j["set"][p.name] = p.value;
   }
   const octree::box& d = s.domain;
   j["domain"] = {d.lo[0], d.hi[0], d.lo[1], d.hi[1], d.lo[2], d.hi[2]};

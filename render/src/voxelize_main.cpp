@@ -49,6 +49,8 @@ expected<expected<octree::sparse_octree>> voxelize_scene(const scene& s, int lev
 /// What the file says of itself; cut to what it holds.
 std::string description_of(const scene& s) {
   std::string text = s.name + ": " + formula_text(s);
+  for (const octree::parameter& p : s.set)
+    text += "; " + p.name + " = " + p.value;
   if (text.size() > octree::longest_description)
     text.replace(octree::longest_description - 3, std::string::npos, "...");
   return text;
@@ -111,9 +113,15 @@ int show_file(const request& r) {
 }
 
 int voxelize_to_file(const request& r) {
-  const auto s = r.scene.read();
-  if (!s)
-    return bad_input(s.reason());
+  formula_mark where;
+  const auto s = r.scene.read(&where);
+  if (!s) {
+    complain(s.reason());
+    print_error(where.lines());
+    return refused;
+  }
+  if (const std::string note = note_on(*s); !note.empty())
+    complain(note);
   const auto start = std::chrono::steady_clock::now();
   octree::parallel_options options{r.threads, &stop_wanted, {}};
   progress_line line("parts", r.progress);

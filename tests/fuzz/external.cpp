@@ -2,11 +2,13 @@
 /// going wrong is told, on the ray that brings it on.
 #include "../support/program.hpp"
 #include "campaign_of.hpp"
+#include <adapters/adapter.hpp>
 #include <campaign/hint.hpp>
 #include <external/external.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <judge/exact_cells.hpp>
 #include <judge/replay.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -230,6 +232,7 @@ TEST_CASE("fuzz.external: a command that answers nothing is refused with the rea
   CHECK(why("/no/such/program 2>/dev/null").find("(exit code 127)") != std::string::npos);
   CHECK(why("kill -9 $$").find("(signal 9)") != std::string::npos);
   CHECK(why("cat").find("what is no answer") != std::string::npos);
+  CHECK(why("head -c 20000000 /dev/zero").find("a line without end") != std::string::npos);
   CHECK(why("echo hello").find("\"hello\"") != std::string::npos);
   CHECK(why("sleep 1000").find("does it flush") != std::string::npos);
   CHECK(why(peer("hello-wrong").command).find("\"the moon\"") != std::string::npos);
@@ -592,6 +595,30 @@ TEST_CASE(
   CHECK(nlohmann::json::parse(run("float-silent", "--json ").out)["hint"] == "float");
   CHECK(nlohmann::json::parse(run("drops", "--json ").out)["hint"].is_null());
   CHECK(run("drops", "").out.find("--float") == std::string::npos);
+}
+
+TEST_CASE("fuzz.external: a tolerance that makes any t right is no sign of float", "[regression]") {
+  const auto told = [](double off, bool in_float) {
+    std::vector<sample> samples;
+    for (unsigned k = 0; samples.size() < 40; ++k) {
+      const trial t = make_trial(generators()[k % generators().size()], 5, k, 10, {}, true);
+      const truth exact = truth_of(t);
+      if (exact.crossed == 0)
+        continue;
+      const auto entry = graze::oracle::rational::range_in(rational_line(t),
+                                                           rational_cell(t, exact.first_crossed));
+      visited answer;
+      answer.clear();
+      answer.push(exact.first_crossed);
+      const double at = entry->first.get_d() * (1 + off);
+      answer.said().t = in_float ? adapter::to_float(at) : at;
+      if (judge_answer(t, answer, promise::first).findings == bit(finding::distance))
+        samples.push_back({k, t, answer});
+    }
+    return hint_of(samples, promise::first);
+  };
+  CHECK_FALSE(told(0x1p-40, false));
+  CHECK(told(0, true) == other_ray::as_float);
 }
 
 TEST_CASE("graze-fuzz run --command: a crash is shrunk, and replayed", "[unit]") {

@@ -272,6 +272,21 @@ TEST_CASE("fuzz.first: entries beyond the doubles at either end are not accused"
   CHECK(told(slow, -HUGE_VAL, 1) == bit(finding::distance));
 }
 
+TEST_CASE("fuzz.grids: gross is a chord of more than 1e-3 of the greatest edge", "[regression]") {
+  const auto is_gross = [](const trial& t) { return gross(t, 1) != 0; };
+  const box plate{{0, 0, 0}, {8, 1, 0x1p-54}};
+  CHECK_FALSE(is_gross(of_boxes({plate}, {4, 0.5, 1}, {0, 0, -1})));
+  CHECK_FALSE(is_gross(of_boxes({plate}, {7.993, 0, 0x1p-55}, {1, 0, 0})));
+  CHECK(is_gross(of_boxes({plate}, {7.991, 0, 0x1p-55}, {1, 0, 0})));
+  CHECK(is_gross(of_boxes({{{0, 0, 0}, {8, 1, 0}}}, {-1, 0.5, 0}, {1, 0, 0})));
+  CHECK_FALSE(is_gross(of_boxes({{{1, 1, 1}, {1, 1, 1}}}, {0, 1, 1}, {1, 0, 0}))); // a point
+  for (const plane_rule rule : {plane_rule::exact, plane_rule::rounded}) {
+    const grid_planes thin{{0, 0, 0}, {1, 1, 1e-53}, {4, 4, 4}, rule, {}};
+    CHECK_FALSE(is_gross(in_grid(thin, {1, 1, 1}, {1, 1, 1}, {1.5, 1.5, 1}, {0, 0, -1})));
+    CHECK(is_gross(in_grid(thin, {1, 1, 1}, {1, 1, 1}, {0, 1.5, 1.5e-53}, {1, 0, 0})));
+  }
+}
+
 TEST_CASE("fuzz.any: hit or not", "[unit]") {
   const auto said = [](const trial& t, bool hit) {
     visited answer;

@@ -85,6 +85,9 @@ TEST_CASE("graze-fuzz run: bad input is one line and exit code 2", "[unit]") {
   refused("run --rays -5", "--rays");
   refused("run --seed -1", "--seed");
   refused("run --threads 0", "--threads");
+  for (const char* size : {"0", "-1", "nan"})
+    refused(std::string("run --scene map.npy --voxel-size=") + size,
+            "--voxel-size is not a length above 0");
   refused("run --save /no/such/folder/miss.jsonl", "cannot write");
   refused("run --nonsense", "nonsense");
   refused("", "subcommand");
@@ -170,6 +173,19 @@ TEST_CASE("graze-fuzz replay: the recorded cases, line by line", "[unit]") {
   CHECK(count == 7);
 }
 
+TEST_CASE("graze-fuzz replay: of boxes it is not said who owns a point", "[unit]") {
+  const scratch dir;
+  const std::string file = dir / "flat.jsonl";
+  std::ofstream(file)
+      << R"({"box":{"lo":[-1,-1,1],"hi":[1,1,1]},"origin":[0,0,0],"direction":[0.1,0.1,1]})"
+      << "\n";
+  const outcome o = call("replay --json " + file + " --traversal boxes");
+  const auto replayed = nlohmann::json::parse(o.out);
+  CHECK(replayed["crosses"] == true);
+  CHECK(replayed["owns"].is_null());
+  CHECK(call("replay " + file + " --traversal boxes").out.find("owns") == std::string::npos);
+}
+
 TEST_CASE("graze-fuzz replay: a corrupt file is one line with its number, and nothing half",
           "[unit]") {
   const scratch dir;
@@ -204,4 +220,26 @@ TEST_CASE("graze-fuzz: help has examples, list has names", "[unit]") {
   for (const char* name :
        {"sound", "published", "plain", "gargantini", "vertex", "mid-plane", "mutant-drops"})
     CHECK(list.out.find(name) != std::string::npos);
+}
+
+TEST_CASE("graze-fuzz run --command: what a command that fails writes is shown once",
+          "[regression]") {
+  const outcome o = call("run --rays 10 --command 'echo it is broken >&2; exit 3'");
+  INFO(o.err);
+  CHECK(o.code == 2);
+  const std::size_t at = o.err.find("it is broken\n"); // the line that refuses has the command
+  REQUIRE(at != std::string::npos);
+  CHECK(o.err.find("it is broken\n", at + 1) == std::string::npos);
+}
+
+TEST_CASE("graze-fuzz run --command: a reader that is an ulp off is told of serde_json's feature",
+          "[regression]") {
+  support::refused(GRAZE_FUZZ,
+                   "run --rays 10 --command 'while read l; do echo \"{\\\"visited\\\":[],"
+                   "\\\"echo\\\":[-0.0,0.1,2.0,5e-324,2.2250738585072014e-308,"
+                   "1.7976931348623157e308,1e23,9007199254740994.0,0.3333333333333333,"
+                   "-0.9836237133425473,0.00010678500163828601,-0.00036151356901086603,"
+                   "101.21016800070727,1.0671009529491235e-297,-7.164384684239564e289,"
+                   "11354724370.048637]}\"; done'",
+                   "float_roundtrip");
 }

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <generate/generators.hpp>
 #include <graze/oracle/rational.hpp>
-#include <judge/judge.hpp>
+#include <judge/replay.hpp>
 
 using namespace graze::fuzz;
 
@@ -125,6 +125,32 @@ TEST_CASE("fuzz.properties: spurious near the ray is rounding, far from it is no
   CHECK(far_spurious(near, truth_of(near), seen({o001})) == 0);
   const trial far = eight({0.25, 0.25, 0.25}, {1, 0, 0});
   CHECK(far_spurious(far, truth_of(far), seen({o001})) == set_of({o001}));
+}
+
+TEST_CASE("fuzz.properties: of a traversal in float a voxel is far beyond roundings of float alone",
+          "[regression]") {
+  struct float_walk final : traversal {
+    [[nodiscard]] std::string_view name() const override { return "in-float"; }
+    [[nodiscard]] promise promises() const override { return promise::first; }
+    [[nodiscard]] bool in_float() const override { return true; }
+    void visit(const trial& /*t*/, visited& out) override { out.push(o001); }
+  } under_test;
+  const auto found = [&](double below, promise p) {
+    const trial t = eight({0.25, 0.25, 0.5 - below}, {1, 0, 0});
+    visited answer = seen({o001});
+    answer.said().hit = true;
+    return judge_answer(t, answer, p, allowance_of(under_test)).findings &
+           bit(finding::far_spurious);
+  };
+  for (const promise p : {promise::crossed, promise::first, promise::first_touched}) {
+    CHECK(found(0x1p-24, p) == 0);
+    CHECK(found(0x1p-19, p) == 0);
+    CHECK(found(0x1p-16, p) != 0);
+  }
+  const trial near = eight({0.25, 0.25, 0.5 - 0x1p-24}, {1, 0, 0});
+  CHECK(far_spurious(near, truth_of(near), seen({o001})) == set_of({o001})); // in double
+  CHECK((judge(near, under_test).findings & bit(finding::far_spurious)) == 0);
+  CHECK((replay(near, under_test).findings & bit(finding::far_spurious)) == 0);
 }
 
 TEST_CASE("fuzz.properties: what is gross is what rationals say", "[property]") {

@@ -326,6 +326,42 @@ TEST_CASE("fuzz.grids: the product's voxel sets over grids, and its boxes, keep 
     }
 }
 
+TEST_CASE("fuzz.tame: the edges of a tame campaign's grids and boxes are within bounds",
+          "[regression]") {
+  double least = 1e300, greatest = 0, steepest = 1;
+  unsigned untamed = 0;
+  for (const scene_choice& scene : {grids, boxes})
+    for (std::uint64_t k = 0; k < 20'000; k += scene.cells == cell_kind::grid ? 64 : 8) {
+      const trial t = make_trial(generators()[0], 3, k, 20, scene, true);
+      double low = 1e300, high = 0;
+      const auto see = [&](double edge) {
+        if (edge != 0)
+          low = std::min(low, edge), high = std::max(high, edge);
+      };
+      for (unsigned a = 0; a < 3; ++a) {
+        if (t.boxes)
+          for (const auto& b : *t.boxes)
+            see(b.hi[a] - b.lo[a]);
+        else if (t.grid->rule != plane_rule::given)
+          see(t.grid->spacing[a]);
+        else
+          for (std::size_t i = 1; i < t.grid->given[a].size(); ++i)
+            see(t.grid->given[a][i] - t.grid->given[a][i - 1]);
+      }
+      if (high == 0)
+        continue;
+      least = std::min(least, low);
+      greatest = std::max(greatest, high);
+      steepest = std::max(steepest, high / low);
+      const trial wild = make_trial(generators()[0], 3, k, 20, scene);
+      untamed += (wild.boxes ? has_tame_edges(*wild.boxes) : has_tame_edges(*wild.grid)) ? 0 : 1;
+    }
+  CHECK(least >= 0x1p-40);
+  CHECK(greatest <= 0x1p40);
+  CHECK(steepest <= 0x1p20);
+  CHECK(untamed > 100);
+}
+
 TEST_CASE("fuzz.scenes: tame rays are tame in grids and boxes too", "[property]") {
   for (const scene_choice& scene : all_scenes)
     for (const generator& g : generators())

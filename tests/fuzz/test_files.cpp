@@ -7,6 +7,7 @@
 #include <judge/replay.hpp>
 #include <report/reproducer/test_file.hpp>
 #include <traversal/list.hpp>
+#include <trial/replay_line.hpp>
 
 using namespace graze::fuzz;
 using support::content, support::outcome, support::scratch;
@@ -25,8 +26,7 @@ std::string runner(language l, const std::string& file) {
   case language::rust: {
     const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
     const std::string rustc = is_there("rustc") ? "rustc" : home + "/.cargo/bin/rustc";
-    return is_there(rustc) ? rustc + " --edition 2021 -D warnings --test " + file + " -o t && ./t"
-                           : std::string();
+    return is_there(rustc) ? rustc + " -D warnings --test " + file + " -o t && ./t" : std::string();
   }
   case language::go:
     return is_there("go") ? "go vet " + file + " && go test " + file : std::string();
@@ -167,7 +167,9 @@ TEST_CASE("fuzz.test_files: each language's test fails on the fault, and passes 
                       "{{\"origin\":[0.5,1,2],\"direction\":[1,2,3]}}}}\n",
                       voxels(r, exact.touched)),
           fmt::format("promise crossed\n{} received 0x1p-3 1 2 3 4 5\n",
-                      voxels(r, exact.touched, true))}) {
+                      voxels(r, exact.touched, true)),
+          "{\"float\":false,\"batch\":1}\n" + list(voxels(r, exact.touched)),
+          fmt::format("echo true\n{}\n", voxels(r, exact.touched, true))}) {
       const auto [code, said] = with(right);
       INFO(right << said);
       CHECK(code == 0);
@@ -178,6 +180,7 @@ TEST_CASE("fuzz.test_files: each language's test fails on the fault, and passes 
       INFO(wrong << said);
       CHECK(code != 0);
       CHECK(is_compiled(said));
+      CHECK(said.find("{voxel:?}") == std::string::npos); // as of Rust before 2021
     }
     const auto [code, said] = with("");
     CHECK(code != 0);
@@ -227,6 +230,158 @@ TEST_CASE("fuzz.test_files: every kind of finding is a test that holds by the ri
     r.external->command = answers(dir, line_of(r.answer, kind == finding::revisit));
     CHECK(run_test(dir, r, l).code != 0);
   }
+}
+
+namespace {
+
+/// Gives one answer, whatever it is asked.
+struct set_answer final : traversal {
+  promise promised = promise::first;
+  std::vector<octant_number> cells;
+  remarks told;
+  [[nodiscard]] std::string_view name() const override { return "set"; }
+  [[nodiscard]] promise promises() const override { return promised; }
+  [[nodiscard]] bool takes(cell_kind /*cells*/, bool /*segment*/) const override { return true; }
+  void visit(const trial& /*t*/, visited& out) override {
+    for (const octant_number v : cells)
+      out.push(v);
+    out.said() = told;
+  }
+};
+
+struct scene {
+  const char *about, *line;
+  promise promised;
+  finding kind;
+  std::vector<octant_number> cells; ///< the answer of the finding
+  remarks told;
+  std::vector<std::string> right, wrong;
+};
+
+std::vector<scene> scenes() {
+  const char* boxes = R"({"origin":[0,0.5,0.5],"direction":[2,0,0],"boxes":[)"
+                      R"({"lo":[3,0,0],"hi":[4,1,1]},{"lo":[1,0,0],"hi":[2,1,1]}]})";
+  const char* grid = R"({"origin":[0.15,0.25,-1],"direction":[0,0,1],"grid":{"origin":[0,0,0],)"
+                     R"("spacing":[0.1,0.1,0.1],"count":[5,5,9],"planes":"added"},)"
+                     R"("voxel":[1,2,3],"extent":[1,1,2]})";
+  const char* segment = R"({"origin":[0,0.5,0.5],"end":[5,0.5,0.5],"boxes":[)"
+                        R"({"lo":[3,0,0],"hi":[4,1,1]},{"lo":[1,0,0],"hi":[2,1,1]}]})";
+  remarks late, aside, yes, three;
+  late.t = 0.75;
+  aside.entered = face{1, false};
+  yes.hit = false;
+  three.crossings = 3;
+  return {{"t of boxes",
+           boxes,
+           promise::first,
+           finding::distance,
+           {1},
+           late,
+           {R"({"id":0,"first":1,"t":0.5})", R"({"t":0.5,"first":1.0,"distance":1})",
+            R"({"t":"0x1p-1","first":1,"echo":[0.1,2]})", R"({"t":"3fe0000000000000","first":1})",
+            "1 t 0x1p-1 distance 1 face -x id 0", "1 distance 1.0"},
+           {R"({"t":0.75,"first":1})", R"({"t":0.5,"first":0})", R"({"first":1})", "1 t 0x1.8p-1",
+            R"({"t":0.5,"first":1,"distance":2})", R"({"t":null,"first":1})", "none"}},
+          {"face of boxes",
+           boxes,
+           promise::first,
+           finding::face,
+           {1},
+           aside,
+           {R"({"face":"-x","first":1})", "1 face -x"},
+           {R"({"face":"-y","first":1})", "1 face +x", R"({"first":1,"face":null})", "1"}},
+          {"first of a grid",
+           grid,
+           promise::first,
+           finding::crossed_miss,
+           {},
+           {},
+           {R"({"id":0,"first":[1,2,3]})",
+            R"({"first":[1,2,3],"received":{"origin":[0,8,9],)"
+            R"("direction":[1,2,3]}})",
+            "1 2 3 t 1.3 id 0", "[[1,2,3]]"},
+           {R"({"first":null,"id":0})", "none id 0", R"({"first":[1,2,4]})", "1 2 8", "null",
+            R"({"first":[1,2,3],"id":7})", R"({"first":[1,2,3],"near":1})"}},
+          {"any of segments",
+           segment,
+           promise::any,
+           finding::crossed_miss,
+           {},
+           yes,
+           {R"({"hit":true})", "true", "1 id 0"},
+           {R"({"hit":false})", "false", "0"}},
+          {"count of segments",
+           segment,
+           promise::count,
+           finding::count,
+           {},
+           three,
+           {R"({"count":4,"id":0})", "4"},
+           {"3", R"({"count":2})"}}};
+}
+
+} // namespace
+
+TEST_CASE("fuzz.test_files: tests of grids, boxes and segments read each form of each promise",
+          "[regression]") {
+  for (const language l : all_languages) {
+    if (runner(l, "x").empty())
+      continue;
+    for (const scene& s : scenes()) {
+      INFO(name_of(l) << " " << s.about);
+      const auto t = from_json_line(s.line);
+      REQUIRE(t);
+      set_answer under_test;
+      under_test.promised = s.promised;
+      under_test.cells = s.cells;
+      under_test.told = s.told;
+      reproduction r = reproduction_of(*t, under_test, s.kind);
+      REQUIRE((r.judged.findings & bit(s.kind)) != 0);
+      const scratch dir;
+      r.external.emplace();
+      const auto code = [&](const std::string& line) {
+        r.external->command = answers(dir, "promise first cells boxes\n" + line + "\n");
+        const outcome o = run_test(dir, r, l);
+        INFO(line << "\n" << o.out << o.err);
+        CHECK(is_compiled(o.out + o.err));
+        return o.code;
+      };
+      for (const std::string& line : s.right) {
+        INFO(line);
+        CHECK(code(line) == 0);
+      }
+      for (const std::string& line : s.wrong) {
+        INFO(line);
+        CHECK(code(line) != 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("fuzz.test_files: the adapter is asked as in a campaign", "[regression]") {
+  const auto t = from_json_line(scenes()[0].line);
+  set_answer under_test;
+  reproduction r = reproduction_of(*t, under_test, finding::crossed_miss);
+  r.external.emplace();
+  r.external->command = "x";
+  r.external->format = line_format::bits;
+  r.external->echo = true;
+  const std::string text = test_file(r, language::python);
+  CHECK(text.find("REQUEST = \"0 boxes 0000000000000000 3fe0000000000000") != std::string::npos);
+  CHECK(text.find("echo 8000000000000000") != std::string::npos);
+  CHECK(text.find("BITS, NEEDS_RECEIVED = True, False") != std::string::npos);
+  r.external->format = line_format::json;
+  r.external->batch = 64;
+  CHECK(test_file(r, language::python).find(R"(REQUEST = "{\"batch\":[{\"id\":0,)") !=
+        std::string::npos);
+  // what a campaign is started with has taken over the first line
+  external_options options;
+  options.command = "echo promise first cells boxes numbers bits; while read l; do echo none; done";
+  const auto entry = external_traversal(options);
+  REQUIRE(entry);
+  REQUIRE(entry->external);
+  CHECK(entry->external->format == line_format::bits);
+  CHECK_FALSE(entry->external->echo);
 }
 
 TEST_CASE("fuzz.test_files: a hang is told as one, by its test and by its text", "[unit]") {

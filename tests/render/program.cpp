@@ -9,8 +9,9 @@
 using support::call, support::scratch;
 
 namespace {
-void refused(const scratch& dir, const std::string& arguments, const std::string& reason) {
-  support::refused(GRAZE_RENDER, arguments, reason);
+void refused(const scratch& dir, const std::string& arguments, const std::string& reason,
+             const std::string& lines = "") {
+  support::refused(GRAZE_RENDER, arguments, reason, lines);
   CHECK(dir.empty());
 }
 } // namespace
@@ -81,9 +82,9 @@ TEST_CASE("graze-render: bad input is one line, exit code 2, and no file", "[uni
 TEST_CASE("graze-render: a bad formula, an empty domain, no surface: one line, no file", "[unit]") {
   const scratch dir;
   const std::string to = " -o " + (dir / "a.png");
-  refused(dir, "--formula 'x^2 + (y'" + to, "--formula: column 9");
-  refused(dir, "--formula 'x^2 + q'" + to, "column 7");
-  refused(dir, "--formula '1/0 + x'" + to, "column 2: division by zero");
+  refused(dir, "--formula 'x^2 + (y'" + to, "--formula: column 9", "  x^2 + (y\n          ^\n");
+  refused(dir, "--formula 'x^2 + q'" + to, "column 7", "  x^2 + q\n        ^\n");
+  refused(dir, "--formula '1/0 + x'" + to, "column 2: division by zero", "  1/0 + x\n   ^\n");
   refused(dir, "--formula '1/(x*y - y*x*1.0 + sin(x)^2 + cos(x)^2 - 1)'" + to, "divi");
   refused(dir, "--formula x --domain=2,1" + to, "the domain is empty: x from 2 to 1");
   refused(dir, "--formula x --domain=0,1,1,1,0,1" + to, "the domain is empty: y from 1 to 1");
@@ -96,11 +97,14 @@ TEST_CASE("graze-render: a bad formula, an empty domain, no surface: one line, n
 TEST_CASE("graze-render: scene files, and errors that name the key", "[unit]") {
   const scratch dir, scenes;
   const std::string file = scenes / "s.json", to = " -o " + (dir / "a.png");
-  const auto wrong = [&](const char* text, const std::string& reason) {
+  const auto wrong = [&](const char* text, const std::string& reason,
+                         const std::string& lines = "") {
     std::ofstream(file) << text;
-    refused(dir, "--scene " + file + to, file + ": " + reason);
+    refused(dir, "--scene " + file + to, file + ": " + reason, lines);
   };
-  wrong("{\"formula\": \"x +\", \"domain\": [-1, 1]}", "key formula: column 4");
+  wrong("{\"formula\": \"x +\", \"domain\": [-1, 1]}", "key formula: column 4", "  x +\n     ^\n");
+  wrong(R"({"formula": "x-a", "domain": [-1, 1], "set": {"a": "1/"}})",
+        "key set.a: the value of 'a': column 3", "  1/\n    ^\n");
   wrong("{\"formula\": \"x\",\n\"domain\": [-1 1]}", "parse error at line 2, column 15");
   wrong("{\"domain\": [-1, 1]}", "no surface");
   wrong("{\"objects\": [], \"domain\": [-1, 1]}", "key objects: no surface");
@@ -112,6 +116,89 @@ TEST_CASE("graze-render: scene files, and errors that name the key", "[unit]") {
   const auto o = call(GRAZE_RENDER, "--scene " + file + " --size 32 --json" + to);
   REQUIRE(o.code == 0);
   CHECK(nlohmann::json::parse(o.out)["hits"].get<int>() > 100);
+}
+
+TEST_CASE("graze-render: a caret is under the character that is meant", "[unit]") {
+  const scratch dir;
+  const std::string to = " -o " + (dir / "a.png");
+  // columns and the caret count characters, not bytes; what is not shown is replaced
+  refused(dir, "--formula 'θ²+é+1'" + to, "column 4: expected a number, a name or '(', found 'é'",
+          "  θ²+é+1\n     ^\n");
+  refused(dir, "--formula 'x+\tq'" + to, "column 4", "  x+ q\n     ^\n");
+  refused(dir, "--formula 'x+\n\xff'" + to, "the byte 0xFF", "  x+ \uFFFD\n     ^\n");
+  // long texts are cut on both sides, between characters
+  std::string sum;
+  for (int i = 0; i < 100; ++i)
+    sum += "θ²+";
+  refused(dir, "--formula '" + sum + "q+" + sum + "1'" + to, "column 301",
+          "  ...θ²+θ²+θ²+θ²+θ²+θ²+θ²+θ²+θ²+θ²+q+θ²+θ²+θ²+θ²+θ²+θ²+θ²+θ²...\n  " +
+              std::string(33, ' ') + "^\n");
+  refused(dir, "--formula x-a --set a=1+" + to, "--set: the value of 'a': column 3",
+          "  1+\n    ^\n");
+}
+
+TEST_CASE("graze-render: --set gives names their values, exactly, before a scene file's",
+          "[unit]") {
+  const scratch dir;
+  const auto bytes = [&](const std::string& arguments) {
+    const std::string file = dir / "a.png";
+    const auto o = call(GRAZE_RENDER, arguments + " --size 24 -o " + file);
+    INFO(arguments << ": " << o.err);
+    REQUIRE(o.code == 0);
+    CHECK(o.err.empty());
+    const auto r = call(GRAZE_RENDER, "--json --again " + file + " -o " + (dir / "b.png"));
+    REQUIRE(r.code == 0);
+    CHECK((support::content(file) == support::content(dir / "b.png")));
+    return nlohmann::json::parse(r.out)["hits"].get<int>();
+  };
+  const int plain = bytes("--formula 'x^2+y^2+z^2-0.3'");
+  CHECK(bytes("--formula 'x^2+y^2+z^2=a' --set a=0.3") == plain);
+  CHECK(bytes("--formula 'x^2+y^2+z^2=a*b' --set 'b = 1/10' --set a=3") == plain);
+  CHECK(bytes("--formula 'x^2+y^2+z^2=a' --set a=1.3") > plain);
+  const scratch scenes;
+  const std::string file = scenes / "s.json";
+  const auto write = [&](const std::string& set) {
+    std::ofstream(file) << R"({"objects": [{"name": "ball", "formula": "w=a; x²+y²+z² = w;"},
+      {"name": "half", "formula": "w = b; z < w"}], "solid": {"intersection": ["ball", "half"]},
+      "domain": [-2, 2], "set": {)"
+                        << set << "}}";
+  };
+  write(R"("a": 0.3, "b": 3)");
+  CHECK(bytes("--scene " + file) == plain);
+  CHECK(bytes("--scene " + file + " --set a=1.3") > plain);
+  CHECK(bytes("--scene " + file + " --set b=-1/4") < plain);
+  write(R"("a": "3/10", "b": "1e3")");
+  CHECK(bytes("--scene " + file) == plain);
+  const std::string to = " -o " + (dir / "c.png");
+  const auto no = [&](const std::string& arguments, const std::string& reason) {
+    support::refused(GRAZE_RENDER, arguments + to, reason);
+  };
+  no("--formula x-a --set a=1 --set a=2", "--set a: is given twice");
+  no("--formula x-a --set a=1 --set b=2", "no formula has the name 'b'");
+  no("--formula x-a --set a", "--set a: needs a name and a value");
+  no("--formula x-a --set x=1", "'x' has a meaning already");
+  no("--formula x-a --set a=y", "no constant");
+  no("--scene spheres --set a=1", "spheres has no names");
+  no("--set a=1", "exactly one of");
+  no("--again x.png --set a=1", "--set is of --formula and --scene");
+  write(R"("a": 0.3, "b": 3, "c": 1)");
+  no("--scene " + file, "no formula has the name 'c'");
+  write(R"("a": 0.3, "b": [])");
+  no("--scene " + file, "key set.b: must be a number or a text");
+}
+
+TEST_CASE("graze-render: a power that is not defined for x < 0 is one line, graze-voxelize's too",
+          "[unit]") {
+  const scratch dir;
+  const std::string cubes = "--formula 'x^(1/3)+y^(1/3)+z^(1/3)' ";
+  const auto o = call(GRAZE_RENDER, cubes + "--size 16 -o " + (dir / "a.png"));
+  CHECK(o.code == 0);
+  CHECK(o.err == "graze-render: x^(1/3) is defined for x >= 0; cbrt(x)? y^(1/3) is defined for "
+                 "y >= 0; cbrt(y)? z^(1/3) is defined for z >= 0; cbrt(z)?\n");
+  CHECK(call(GRAZE_VOXELIZE, "--level 3 " + cubes + "-o " + (dir / "a.octree")).err ==
+        "graze-voxelize" + o.err.substr(12));
+  CHECK(call(GRAZE_RENDER, "--formula 'cbrt(x)+|y|^(1/3)-z' --size 16 -o " + (dir / "a.png"))
+            .err.empty());
 }
 
 TEST_CASE("graze-render: --again gives the same bytes, crops and samples included", "[unit]") {
@@ -331,7 +418,9 @@ TEST_CASE("graze-voxelize: what is no scene is refused in graze-render's words",
     INFO(arguments << "\n" << seen.err << found.err);
     CHECK(found.code == 2);
     CHECK(found.err == "graze-voxelize" + seen.err.substr(std::string("graze-render").size()));
-    CHECK(std::count(found.err.begin(), found.err.end(), '\n') == 1);
+    const bool shows_formula = found.err.find(": column ") != std::string::npos &&
+                               found.err.find("--domain") == std::string::npos;
+    CHECK(std::count(found.err.begin(), found.err.end(), '\n') == (shows_formula ? 3 : 1));
     CHECK(dir.empty());
   }
   support::refused(GRAZE_VOXELIZE, "--scene spheres --formula x -o " + (dir / "a"),

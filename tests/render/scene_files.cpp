@@ -49,6 +49,13 @@ TEST_CASE("render.scene_text: a scene's text gives the same scene", "[unit]") {
   CHECK(text_of(parsed(text_of(s))) == text_of(s));
   CHECK(s.objects[1].look.reflection == 0);
   CHECK(s.lights.size() == 1);
+  const scene with_names = parsed(R"({"objects": [
+      {"name": "a", "formula": "w=t; x=w;"}, {"name": "b", "formula": "w=2t;|y|<w"}],
+      "domain": [-2, 2], "set": {"t": 0.1}})");
+  CHECK(text_of(parsed(text_of(with_names))) == text_of(with_names));
+  CHECK(text_of(with_names).find(R"("set":{"t":"0.1"})") != std::string::npos);
+  CHECK(formula_text(with_names) == "union((w=t; x=w;),(w=2t;|y|<w))");
+  CHECK(prepare(with_names, 4, 10));
   CHECK(formula_text(s) == "difference((x^2 + y^2 + z^2 - 1),union((x^2 + y^2 - 0.1),(z)))");
 }
 

@@ -52,15 +52,15 @@ inline outcome call(const std::string& program, const std::string& arguments,
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(dir / "out"), content(dir / "err")};
 }
 
-/// Bad input: one clear line on stderr that begins with the program's name and holds `reason`,
-/// nothing on stdout, exit code 2.
+/// Bad input: one clear line on stderr that begins with the program's name and holds `reason`, then
+/// `lines`, nothing on stdout, exit code 2.
 inline void refused(const std::string& program, const std::string& arguments,
-                    const std::string& reason) {
+                    const std::string& reason, const std::string& lines = "") {
   const outcome o = call(program, arguments);
   INFO(arguments << "\n" << o.out << o.err);
   CHECK(o.code == 2);
   CHECK(o.out.empty());
-  CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
+  CHECK(o.err.substr(std::min(o.err.find('\n') + 1, o.err.size())) == lines);
   CHECK(o.err.rfind(std::filesystem::path(program).filename().string() + ": ", 0) == 0);
   CHECK(o.err.find(reason) != std::string::npos);
 }

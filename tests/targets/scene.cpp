@@ -26,6 +26,7 @@ std::vector<std::string> fuzz::target::seeds() {
       R"("solid":{"difference":["a",{"union":["a","b"]}]},"domain":[-1,1,-1,1,-1,1],)"
       R"("camera":{"eye":[3,2,6],"centre":[-3,-2,-6],"right":[3.5,0,-1.75],"up":[-0.5,3.75,-1]},)"
       R"("lights":[{"position":[10,12,4],"intensity":0.8}]})",
+      R"({"formula":"w=a;x²-w = |b|;","set":{"a":0.3,"b":"1/3"},"domain":[-1,1]})",
       R"({"name":"n","surface":"holesrot","domain":[-1e99,1]})",
       "[",
       "{}",

@@ -114,6 +114,9 @@ std::string_view claim_of(finding kind, promise p) {
   case finding::exception:
   case finding::not_a_number:
   case finding::malformed:
+  case finding::distance:
+  case finding::face:
+  case finding::count:
     return sentence_of(kind);
   default:
     return "the octant of the finding";
@@ -134,6 +137,11 @@ std::string_view fault_of(finding kind) {
     return "visited too late";
   case finding::revisit:
     return "visited twice, or one beside it";
+  case finding::distance:
+  case finding::face:
+    return "named as the first";
+  case finding::count:
+    return "asked about";
   case finding::outside:
     return "visited, with one outside of the block";
   case finding::crash:

@@ -22,7 +22,7 @@ octant_number lowest(octant_set set) { return static_cast<octant_number>(std::co
 
 /// The octant that the finding is about; the block's first where no octant alone is to blame.
 octant_number subject_of(const trial& t, const truth& exact, const visited& answer, promise p,
-                         finding kind) {
+                         finding kind, const allowance& allowed) {
   octant_set set = 0;
   switch (kind) {
   case finding::gross_miss:
@@ -42,7 +42,11 @@ octant_number subject_of(const trial& t, const truth& exact, const visited& answ
     set = misses(exact, answer, p) & ~exact.crossed;
     break;
   case finding::far_spurious:
-    set = far_spurious(t, exact, answer);
+    set = far_spurious(t, exact, answer, allowed);
+    break;
+  case finding::distance:
+  case finding::face:
+    set = answer.set();
     break;
   case finding::spurious:
     set = spurious(exact, answer, p);
@@ -72,13 +76,13 @@ reproduction reproduction_of(const trial& t, traversal& under_test, finding kind
                              const std::string& options) {
   const std::string name(under_test.name());
   reproduction r{
-      t,  t,  name, options.empty() ? "--traversal " + name : options, under_test.promises(), kind,
-      {}, {}, 0};
+      t, t, name, options.empty() ? "--traversal " + name : options, under_test.promises(), kind};
+  r.allowed = allowance_of(under_test);
   ask(under_test, t, r.answer);
   if (const auto answered = trial_answered(t, r.answer))
     r.answered = *answered;
   r.judged = replay(t, under_test);
-  r.subject = subject_of(r.answered, truth_of(r.answered), r.answer, r.promises, kind);
+  r.subject = subject_of(r.answered, truth_of(r.answered), r.answer, r.promises, kind, r.allowed);
   return r;
 }
 
@@ -106,10 +110,13 @@ expected<written_reproducer> write_reproducer(const reproduction& r, const std::
   const std::filesystem::path within(folder);
   written_reproducer done{(within / reproducer_name(r)).string(), {}};
   std::vector<std::pair<std::string, std::string>> files{{done.path + ".txt", reproducer_text(r)}};
-  if (!r.at.end && r.at.cells() == cell_kind::cube) {
-    done.test = (within / test_file_name(r, written)).string();
+  done.shows_octant = !r.at.end && r.at.cells() == cell_kind::cube;
+  if (done.shows_octant) {
     files.emplace_back(done.path + ".cpp", reproducer_snippet(r));
     files.emplace_back(done.path + ".svg", reproducer_picture(r));
+  }
+  if (!r.at.map) {
+    done.test = (within / test_file_name(r, written)).string();
     files.emplace_back(done.test, test_file(r, written));
   }
   files.emplace_back(done.path + ".json", reproducer_json(r));

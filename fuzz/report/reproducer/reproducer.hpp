@@ -8,7 +8,8 @@
 ///   NAME.svg   the ray and the octants on the two axes that tell most
 ///   a test in the language of the traversal, by its bits and what must be visited (test_file.hpp)
 ///
-/// Of a segment, and of voxels of a grid and boxes, the first two alone.
+/// Of a segment, and of voxels of a grid and boxes, all but snippet and picture; of a map the first two
+/// alone.
 /// NAME is traversal-finding-HASH, the hash being that of the replay line: one case, one name.
 #include <external/external.hpp>
 #include <graze/support/status.hpp>
@@ -34,9 +35,11 @@ struct reproduction {
   std::string options; ///< how graze-fuzz is asked for it: "--traversal NAME"
   promise promises;
   finding kind;
-  visited answer;
-  replay_result judged;  ///< by rationals
-  octant_number subject; ///< the octant that the finding is about: the first that was missed, ...
+  visited answer{};
+  allowance allowed{};    ///< to rounding
+  replay_result judged{}; ///< by rationals
+  octant_number subject =
+      0; ///< the octant that the finding is about: the first that was missed, ...
   std::optional<external_options> external{}; ///< how a test asks the traversal
 
   /// The octant's box.
@@ -64,14 +67,16 @@ support::status prepare_folder(const std::string& folder);
 
 /// What was written: "FOLDER/NAME.json .txt .cpp .svg, FOLDER/NAME_test.cpp".
 struct written_reproducer {
-  std::string path; ///< without an ending
-  std::string test; ///< the test's file; empty where there is none
+  std::string path;          ///< without an ending
+  std::string test;          ///< the test's file; empty where there is none
+  bool shows_octant = false; ///< there are a snippet and a picture
   [[nodiscard]] std::string spelled() const {
-    return test.empty() ? path + ".json .txt" : path + ".json .txt .cpp .svg, " + test;
+    return path + ".json .txt" + (shows_octant ? " .cpp .svg" : "") +
+           (test.empty() ? std::string() : ", " + test);
   }
 };
 
-/// Writes the five files, each whole or not at all, NAME.json last; refuses when a file cannot be written.
+/// Writes the files, each whole or not at all, NAME.json last; refuses when a file cannot be written.
 expected<written_reproducer> write_reproducer(const reproduction& r, const std::string& folder,
                                               language written = language::cpp);
 

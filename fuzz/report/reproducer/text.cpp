@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <judge/answer_text.hpp>
 #include <nlohmann/json.hpp>
 #include <report/reproducer/passage.hpp>
 #include <trial/number.hpp>
@@ -20,6 +21,12 @@ std::string spelled(const octree::box& b) {
   return fmt::format("{} to {}", graze::fuzz::spelled(b.lo), graze::fuzz::spelled(b.hi));
 }
 
+std::string answer_line(const reproduction& r) {
+  return r.judged.answer.empty() || !r.judged.thrown.empty()
+             ? std::string()
+             : fmt::format("answer     {}\n", r.judged.answer);
+}
+
 /// A finding in a grid, among boxes, or on a segment.
 std::string scene_text(const reproduction& r) {
   std::string text =
@@ -29,13 +36,14 @@ std::string scene_text(const reproduction& r) {
   text += fmt::format("what       {}\n", sentence_of(r.kind));
   if (!r.judged.thrown.empty())
     text += fmt::format("exception  {}\n", r.judged.thrown);
+  text += answer_line(r);
   for (octant_set left = r.answered.all(); left != 0; left &= left - 1) {
     const auto v = static_cast<octant_number>(std::countr_zero(left));
     const auto has = [v](octant_set set) { return (set >> v & 1) != 0; };
     if (!has(r.judged.touches) && !has(r.judged.visited))
       continue;
-    text += fmt::format("{:<11}{}: {}, {}\n", r.answered.boxes ? "box" : "cell",
-                        spelled(r.answered.cell(v)),
+    text += fmt::format("{:<11}{}: {}: {}, {}\n", r.answered.boxes ? "box" : "cell",
+                        cell_name(r.answered, v), spelled(r.answered.cell(v)),
                         has(r.judged.crosses)   ? "crossed"
                         : has(r.judged.touches) ? "touched"
                                                 : "not touched",
@@ -57,8 +65,11 @@ std::string scene_lines(const trial& t, std::string_view indent) {
       (t.end ? fmt::format("{}end        {}\n", indent, graze::fuzz::spelled(*t.end))
              : fmt::format("{}direction  {}\n", indent, graze::fuzz::spelled(t.direction)));
   if (t.boxes) {
-    for (const octree::box& b : *t.boxes)
-      text += fmt::format("{}box        {}\n", indent, spelled(b));
+    constexpr std::size_t most = 8;
+    for (std::size_t i = 0; i < std::min(t.boxes->size(), most); ++i)
+      text += fmt::format("{}box        {}\n", indent, spelled((*t.boxes)[i]));
+    if (t.boxes->size() > most)
+      text += fmt::format("{}... {} more\n", indent, t.boxes->size() - most);
     return text;
   }
   if (t.grid && t.grid->rule == plane_rule::given)
@@ -103,7 +114,7 @@ std::string reproducer_text(const reproduction& r) {
                  ? fmt::format("block      {} x {} x {} octants from {}\n", t.extent[0],
                                t.extent[1], t.extent[2], spelled(t.octant(0).lo))
                  : std::string()) +
-            fmt::format("claim      {}\n", claim_of(r.kind, r.promises));
+            fmt::format("claim      {}\n", claim_of(r.kind, r.promises)) + answer_line(r);
   if (!r.judged.thrown.empty())
     text += fmt::format("exception  {}\n", r.judged.thrown);
   if (!is_fault(r.kind)) {

@@ -2,6 +2,7 @@
 #include "expressions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <graze/octree_formula/continuity.hpp>
@@ -55,6 +56,16 @@ bool is_commutative(opcode op) {
 }
 
 } // namespace
+
+/// The nodes that a node is made of.
+struct expressions::operand_list {
+  std::size_t size = 0;
+  std::array<node, 3> nodes{};
+  [[nodiscard]] node* begin() { return nodes.data(); }
+  [[nodiscard]] node* end() { return nodes.data() + size; }
+  [[nodiscard]] const node* begin() const { return nodes.data(); }
+  [[nodiscard]] const node* end() const { return nodes.data() + size; }
+};
 
 /// The terms of a sum over one base: ascending exponents and their coefficients.
 struct expressions::univariate {
@@ -323,6 +334,32 @@ expressions::result expressions::binary(opcode op, const sum_form& f, const sum_
   return of_node(intern(op, a, b));
 }
 
+/// Where p - q = c f for a constant c != 0, the choice is the greater of p and q, or the lesser:
+/// that is continuous.
+expressions::result expressions::select(const sum_form& f, const sum_form& if_positive,
+                                        const sum_form& if_not) {
+  if (const auto c = as_constant(f)) {
+    if (c->lower() > 0)
+      return if_positive;
+    if (c->upper() <= 0)
+      return if_not;
+  }
+  if (const auto d = sub(if_positive, if_not); d && d->size() == f.size() && !f.empty()) {
+    const number c = d->begin()->second / f.begin()->second;
+    const auto multiple = is_exact(c) && excludes_zero(c) ? scaled(f, c) : std::nullopt;
+    const auto is_same = [](const auto& s, const auto& t) {
+      return s.first == t.first && is_exact(s.second) && is_exact(t.second) &&
+             s.second.lower() == t.second.lower();
+    };
+    if (multiple && std::equal(d->begin(), d->end(), multiple->begin(), multiple->end(), is_same))
+      return binary(c.lower() > 0 ? opcode::max : opcode::min, if_positive, if_not);
+  }
+  const node condition = emit(f), a = emit(if_positive), b = emit(if_not);
+  if (a == b && continuous_[condition])
+    return of_node(a);
+  return of_node(intern(opcode::select, condition, a, static_cast<std::int32_t>(b)));
+}
+
 node expressions::intern(opcode op, node a, node b, std::int32_t n) {
   if (is_commutative(op) && b < a)
     std::swap(a, b);
@@ -500,37 +537,52 @@ node expressions::emit(const sum_form& f) {
 
 std::optional<program> expressions::compile(const sum_form& f) {
   const node root = emit(f);
-  const auto arity = [this](node n) {
-    const opcode op = nodes_[n].op;
-    if (op == opcode::variable || op == opcode::constant)
-      return 0;
-    const bool two = op == opcode::add || op == opcode::sub || op == opcode::mul ||
-                     op == opcode::div || op == opcode::min || op == opcode::max ||
-                     op == opcode::pow || op == opcode::hypot || op == opcode::atan2;
-    return two ? 2 : 1;
+  const auto operands_of = [this](node n) -> operand_list {
+    const operation& x = nodes_[n];
+    switch (x.op) {
+    case opcode::variable:
+    case opcode::constant:
+      return {};
+    case opcode::select:
+      return {3, {x.a, x.b, static_cast<node>(x.n)}};
+    case opcode::add:
+    case opcode::sub:
+    case opcode::mul:
+    case opcode::div:
+    case opcode::min:
+    case opcode::max:
+    case opcode::pow:
+    case opcode::hypot:
+    case opcode::atan2:
+      return {2, {x.a, x.b}};
+    default:
+      return {1, {x.a}};
+    }
   };
 
   // Registers that a node needs if it is a tree's (Sethi and Ullman): the operand that needs more
   // is first. Operands have lower numbers.
   std::vector<std::uint32_t> need(nodes_.size(), 1);
-  for (node n = 0; n < nodes_.size(); ++n)
-    if (const int operands = arity(n); operands > 0) {
-      const std::uint32_t a = need[nodes_[n].a], b = operands == 2 ? need[nodes_[n].b] : 0;
-      need[n] = a == b ? a + 1 : std::max(a, b);
-    }
+  const auto in_order = [&](operand_list all) {
+    std::stable_sort(all.begin(), all.end(), [&](node s, node t) { return need[s] > need[t]; });
+    return all;
+  };
+  for (node n = 0; n < nodes_.size(); ++n) {
+    std::uint32_t kept = 0;
+    for (const node operand : in_order(operands_of(n)))
+      need[n] = std::max(need[n], need[operand] + kept++);
+  }
 
   // Operands before what uses them, each as late as that allows: post-order.
   std::vector<node> order;
   std::vector<std::uint8_t> seen(nodes_.size(), 0);
   std::vector<std::uint32_t> uses(nodes_.size(), 0);
-  std::vector<std::pair<node, int>> path{{root, 0}};
+  std::vector<std::pair<node, std::size_t>> path{{root, 0}};
   seen[root] = 1;
   while (!path.empty()) {
     auto& [n, next] = path.back();
-    if (next < arity(n)) {
-      const auto& [op, a, b, unused] = nodes_[n];
-      const bool second_first = arity(n) == 2 && need[a] < need[b];
-      const node operand = (next++ == 0) != second_first ? a : b;
+    if (const operand_list all = operands_of(n); next < all.size) {
+      const node operand = in_order(all).nodes[next++];
       ++uses[operand];
       if (seen[operand] == 0) {
         seen[operand] = 1;
@@ -556,25 +608,30 @@ std::optional<program> expressions::compile(const sum_form& f) {
   p.continuous = continuous_[root];
   for (const node n : order) {
     const operation& x = nodes_[n];
-    const int operands = arity(n);
-    const bool two = operands == 2;
-    if (operands > 0)
-      variables[n] = static_cast<std::uint8_t>(variables[x.a] | (two ? variables[x.b] : 0));
-    const bool apart = !two || (variables[x.a] & variables[x.b]) == 0;
-    tight[n] = (operands == 0 || tight[x.a]) && (!two || tight[x.b]) &&
-               (apart || x.op == opcode::min || x.op == opcode::max);
-    const std::uint8_t a = operands > 0 ? place[x.a] : 0, b = two ? place[x.b] : 0;
-    for (int i = 0; i < operands; ++i) {
-      const node operand = i == 0 ? x.a : x.b;
+    const operand_list operands = operands_of(n);
+    bool apart = true, all_tight = x.op != opcode::select;
+    for (const node operand : operands) {
+      apart = apart && (variables[n] & variables[operand]) == 0;
+      all_tight = all_tight && tight[operand];
+      variables[n] = static_cast<std::uint8_t>(variables[n] | variables[operand]);
+    }
+    tight[n] = all_tight && (apart || x.op == opcode::min || x.op == opcode::max);
+    const auto place_of = [&](std::size_t i) {
+      return i < operands.size ? place[operands.nodes[i]] : std::uint8_t{0};
+    };
+    const std::uint8_t a = place_of(0), b = place_of(1);
+    const std::int32_t last = operands.size == 3 ? place_of(2) : x.n;
+    for (const node operand : operands)
       if (--uses[operand] == 0 && operand > 2)
         unused.push_back(place[operand]);
-    }
     if (unused.empty())
       return std::nullopt;
     place[n] = unused.back();
     unused.pop_back();
     p.registers = std::max<std::uint8_t>(p.registers, static_cast<std::uint8_t>(place[n] + 1));
-    p.code.push_back({x.op, place[n], a, b, x.n});
+    if (const auto note = notes_.find(n); note != notes_.end() && x.op == opcode::pow)
+      p.notes.push_back({p.code.size(), note->second});
+    p.code.push_back({x.op, place[n], a, b, last});
   }
   p.result = place[root];
   p.tight = tight[root];

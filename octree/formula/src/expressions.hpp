@@ -54,6 +54,17 @@ public:
   result root(const sum_form& f, std::int64_t n);
   result unary(opcode op, const sum_form& f);
   result binary(opcode op, const sum_form& f, const sum_form& g);
+  /// if_positive where f > 0, if_not where f <= 0.
+  result select(const sum_form& f, const sum_form& if_positive, const sum_form& if_not);
+  /// The same function, as one node: no sum to be copied.
+  [[nodiscard]] sum_form shared(const sum_form& f) { return as_constant(f) ? f : of_node(emit(f)); }
+  /// A note on the operation that f is, if it is one.
+  void note(const sum_form& f, std::string text) {
+    if (f.size() == 1 && f.begin()->first.size() == 1)
+      notes_.try_emplace(f.begin()->first[0].base, std::move(text));
+  }
+  /// Nothing, for a reason.
+  result refuse(const char* why);
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
   /// The tape of f. Nothing if it needs too many registers.
@@ -67,8 +78,8 @@ private:
     friend auto operator<=>(const operation&, const operation&) = default;
   };
   struct univariate;
+  struct operand_list;
 
-  result refuse(const char* why);
   result scaled(sum_form f, const number& factor);
   void accumulate(sum_form& f, const monomial& m, const number& coefficient) const;
   [[nodiscard]] bool continuous(const monomial& m) const;
@@ -94,6 +105,7 @@ private:
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::int32_t> known_constants_;
   /// By the base and the constants' indices.
   std::map<std::pair<node, std::vector<std::int32_t>>, node> known_polynomials_;
+  std::map<node, std::string> notes_;
   program program_;
   int polynomials_left_ = 64; ///< for which turns are still looked for: it takes up to 10 ms each
   std::string reason_;

@@ -108,7 +108,8 @@ exact_line::time exact_line::limit_at(double t) const {
 /// quotient add e each and the speed another where it is a difference: 3e |t| and what the plane's
 /// error makes. 8e |t| and 16e leave room for the roundings of the error, and for those of sums and
 /// differences with it. What flushing takes from an operand or a result is below 2^-1021. Nothing
-/// is decided where something overflowed: there the error is infinite or NaN.
+/// is decided where something may have overflowed, which by mode ends at infinity or at the greatest
+/// double: there the error is infinite.
 exact_line::time exact_line::arrival_at(unsigned axis, const plane_value& p, bool upper) const {
   constexpr double tiny = 0x1p-1000;
   const double multiple = p.multiple, offset = multiple * p.spacing;
@@ -119,8 +120,9 @@ exact_line::time exact_line::arrival_at(unsigned axis, const plane_value& p, boo
   double error = size * 0x1p-49 + tiny / speed + tiny;
   if (p.multiple != 0)
     error += ((p.origin < 0 ? -p.origin : p.origin) + offset) * 0x1p-48 / speed;
-  if (!(speed <= 0x1p1023)) // else it may be infinite, and t 0
-    error = std::numeric_limits<double>::infinity();
+  for (const double x : {offset, plane, distance, speed, t, error})
+    if (!(-0x1p1023 <= x && x <= 0x1p1023))
+      error = std::numeric_limits<double>::infinity();
   return {t, error, static_cast<int>(axis), p, 0, upper, true};
 }
 

@@ -167,7 +167,6 @@ TEST_CASE("octree.formula: refuses with the column", "[unit]") {
   refused("x^-2 y", 6, "exponent");
   refused("xy+1", 1, "*");
   refused("1+foo(x)", 3, "'foo'");
-  refused("X", 1, "'X'");
   refused("sin x", 5, "'('");
   refused("sin", 4, "'('");
   refused("sin(x,y)", 1, "one operand");
@@ -194,10 +193,10 @@ TEST_CASE("octree.formula: refuses with the column", "[unit]") {
   refused("(x^1000000)^1000000", 12, "too large");
   refused("x^1000000000*x^1000000000", 13, "too large");
   refused("2^1073741824", 2, "overflows");
-  refused("x=1", 2, "'='");
-  refused("x\x01", 2, "a character");
-  refused("x\xc3\xa9", 2, "a character");
-  refused(std::string("x\0y", 3), 2, "a character");
+  refused("x?1", 2, "'?'");
+  refused("x\x01", 2, "U+0001");
+  refused("x\xc3\xa9", 2, "'\xc3\xa9' (U+00E9)");
+  refused(std::string("x\0y", 3), 2, "U+0000");
 }
 
 TEST_CASE("octree.formula: hostile texts are refused or compiled, in bounded time", "[hardcase]") {

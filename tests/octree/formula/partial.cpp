@@ -70,13 +70,41 @@ TEST_CASE("octree.formula: where nothing is defined nothing is kept", "[unit]") 
 
 TEST_CASE("octree.formula: a pole, a jump or a gap is not certified as a zero", "[unit]") {
   const box across{{-.25, -.25, -.25}, {.5, .5, .5}};
-  for (const char* text :
-       {"1/x",          "x/x-1/2",      "1/x+y",       "1/x^3",       "x^-1",
-        "tan(2x+pi/2)", "cot(x)",       "csc(x)",      "coth(x)",     "csch(x)",
-        "sign(x)+1/2",  "floor(x)+1/2", "x/sqrt(x^2)", "x/abs(x)",    "atan2(x,y-1)-x*y",
-        "atan2(x, -1)", "log(x^2)/x",   "y/x",         "sqrt(x+y)-z", "x^1.5-y",
-        "x/x*y",        "y+0/x",        "sqrt(x)*0+y", "ceil(x)-1/2", "trunc(4x)-1/2",
-        "rootn(x,-3)",  "x^y-1"}) {
+  for (const char* text : {"1/x",
+                           "x/x-1/2",
+                           "1/x+y",
+                           "1/x^3",
+                           "x^-1",
+                           "tan(2x+pi/2)",
+                           "cot(x)",
+                           "csc(x)",
+                           "coth(x)",
+                           "csch(x)",
+                           "sign(x)+1/2",
+                           "floor(x)+1/2",
+                           "x/sqrt(x^2)",
+                           "x/abs(x)",
+                           "atan2(x,y-1)-x*y",
+                           "atan2(x, -1)",
+                           "log(x^2)/x",
+                           "y/x",
+                           "sqrt(x+y)-z",
+                           "x^1.5-y",
+                           "x/x*y",
+                           "y+0/x",
+                           "sqrt(x)*0+y",
+                           "ceil(x)-1/2",
+                           "trunc(4x)-1/2",
+                           "rootn(x,-3)",
+                           "x^y-1",
+                           "if(x<0,-1,1)",
+                           "if(x>=0,y+1,y-1)",
+                           "mod(x,1/8)-1/16",
+                           "x%(1/4)-1/8",
+                           "if(x<y,z-1,z+1)",
+                           "if(x==0,z,1)",
+                           "if(x!=0,1/x,1)",
+                           "if(x<0,1,-1)*y"}) {
     INFO(text);
     CHECK(content_of(parsed(text), across) != content::certified);
     CHECK(leaves_of(parsed(text), 3).all < 512 + 1);
@@ -87,7 +115,8 @@ TEST_CASE("octree.formula: a pole, a jump or a gap is not certified as a zero", 
   // beside the gap they are
   const box beside{{.25, -.25, -.25}, {.5, .5, .5}};
   for (const char* text :
-       {"1/x+4*y-3", "y/x", "sqrt(x)-2*abs(y)-y", "x^1.5-y", "log(x)+1+y", "x^y-1"}) {
+       {"1/x+4*y-3", "y/x", "sqrt(x)-2*abs(y)-y", "x^1.5-y", "log(x)+1+y", "x^y-1",
+        "if(x>0,y,sqrt(x-1))", "if(x>=1/4,y,1/z)", "mod(x,1)-y-1/4", "if(x<0,sqrt(x-1),y)"}) {
     INFO(text);
     CHECK(content_of(parsed(text), beside) == content::certified);
   }
@@ -96,8 +125,9 @@ TEST_CASE("octree.formula: a pole, a jump or a gap is not certified as a zero", 
 TEST_CASE("octree.formula: rays find the zeros of partial surfaces, and no others", "[unit]") {
   const auto toward = [](const char* text) { return hit(parsed(text), {-3, .3, .2}, {1, 0, 0}); };
   // a plane at x = 1/4, so at t = 3.25
-  for (const char* text : {"x-1/4", "(x-1/4)/(x+2)", "1/(x-1/3)+12", "log(x+3/4)", "4-1/x",
-                           "sqrt(x+3/4)-1", "atan2(x-1/4,y)", "x^1.5-1/8", "(x-1/4)/(y*z)"}) {
+  for (const char* text :
+       {"x-1/4", "(x-1/4)/(x+2)", "1/(x-1/3)+12", "log(x+3/4)", "4-1/x", "sqrt(x+3/4)-1",
+        "atan2(x-1/4,y)", "x^1.5-1/8", "(x-1/4)/(y*z)", "if(x<3/4,x-1/4,1/x)"}) {
     INFO(text);
     const surface_hit h = toward(text);
     CHECK(h.outcome == verdict::hit);
@@ -105,8 +135,9 @@ TEST_CASE("octree.formula: rays find the zeros of partial surfaces, and no other
     CHECK(3.25 <= h.t_far);
     CHECK(h.t_far - h.t_near < 1e-6);
   }
-  for (const char* text : {"1/(x-1/4)", "sign(x-1/4)+y/8", "(x-1/4)/abs(x-1/4)",
-                           "atan2(y*0+x-1/4,-1)+1/8", "floor(x+3/4)+1/3"}) {
+  for (const char* text :
+       {"1/(x-1/4)", "sign(x-1/4)+y/8", "(x-1/4)/abs(x-1/4)", "atan2(y*0+x-1/4,-1)+1/8",
+        "floor(x+3/4)+1/3", "if(x<1/4,-1,1)", "if(x<=1/4,-1,y+1)"}) {
     INFO(text);
     CHECK(toward(text).outcome != verdict::hit);
   }
@@ -125,15 +156,17 @@ TEST_CASE("octree.formula: certified hits of partial surfaces are zeros", "[unit
     return t->first_hit(*ray::make({-3, .3, .2}, {1, 0, 0}));
   };
   for (const char* text : {"x-1/4", "(x-1/4)/(x+2)", "1/(x-1/3)+12", "log(x+3/4)", "4-1/x",
-                           "sqrt(x+3/4)-1", "atan2(x-1/4,y)", "x^1.5-1/8", "1/(x+1/2)-4/3"}) {
+                           "sqrt(x+3/4)-1", "atan2(x-1/4,y)", "x^1.5-1/8", "1/(x+1/2)-4/3",
+                           "if(x<3/4,x-1/4,1/x)", "if(x>0,sqrt(x)-1/2,1)"}) {
     INFO(text);
     const certified_hit h = toward(text);
     CHECK(h.outcome == verdict::hit);
     CHECK(h.t_near <= 3.25);
     CHECK(3.25 <= h.t_far);
   }
-  for (const char* text : {"1/(x-1/4)", "sign(x-1/4)+y/8", "(x-1/4)/abs(x-1/4)",
-                           "atan2(y*0+x-1/4,-1)+1/8", "floor(x+3/4)+1/3", "sqrt(x-2)"}) {
+  for (const char* text :
+       {"1/(x-1/4)", "sign(x-1/4)+y/8", "(x-1/4)/abs(x-1/4)", "atan2(y*0+x-1/4,-1)+1/8",
+        "floor(x+3/4)+1/3", "sqrt(x-2)", "if(x<1/4,-1,1)", "if(x<=1/4,-1,y+1)"}) {
     INFO(text);
     CHECK(toward(text).outcome != verdict::hit);
   }

@@ -3,6 +3,7 @@
 #include "../../support/test_inputs.hpp"
 #include "hard_grids.hpp"
 #include <catch2/catch.hpp>
+#include <cfenv>
 #include <graze/rounding/hardware.hpp>
 
 using namespace graze;
@@ -185,6 +186,53 @@ TEST_CASE("octree.exact_line: comparisons of arrivals that differ by ulps, in ev
   CHECK(touched > all / 5);
   CHECK(touched < all - all / 5);
 }
+
+TEST_CASE("octree.exact_line: distances, planes and differences beyond the doubles, in every mode",
+          "[regression]") {
+  // The ray is at x = 1.5e308 at t = 3.75, and at y = t.
+  const ray forward = *ray::make({-1.5e308, 0, 0}, {8e307, 1, 0}),
+            backward = *ray::make({1.5e308, 0, 0}, {-8e307, 1, 0});
+  const segment between = *segment::make({-1.5e308, 0, 0}, {1.7e308, 4, 0});
+  const slabs right(box{{1.5e308, 3, 0}, {1.6e308, 4, 0}}),
+      left(box{{-1.6e308, 3, 0}, {-1.5e308, 4, 0}});
+  slabs of_multiples = right; // 1.3e308 and 1.4e308, as the sums of -1.7e308 and more than 2^1024
+  of_multiples.lower[0] = {-1.7e308, 1e303, 300'000};
+  of_multiples.upper[0] = {-1.7e308, 1e303, 310'000};
+  const int found = std::fegetround();
+  for (const int mode : {FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const bool ahead = touches(forward, right), behind = touches(backward, left),
+               multiples = touches(forward, of_multiples), ends = touches(between, right);
+    const auto p = passage_through(forward, right);
+    std::fesetround(found);
+    CHECK(ahead);
+    CHECK(behind);
+    CHECK(multiples);
+    CHECK(ends);
+    REQUIRE(p);
+    CHECK((p->enter.lo > 3.74 && p->enter.hi < 3.76 && p->entered == face_bit(0, false)));
+  }
+}
+
+#if defined(__x86_64__)
+TEST_CASE("octree.ray_segment: ends are those given where numbers are flushed", "[regression]") {
+  namespace hardware = rounding::hardware;
+  const volatile double tiny = 0x1p-1074; // read where it is flushed
+  const unsigned found = hardware::mxcsr();
+  hardware::set_mxcsr(0x9fc0); // FTZ and DAZ
+  const auto from = ray_segment::make(tiny, INFINITY), to = ray_segment::make(0, tiny),
+             wrong = ray_segment::make(tiny, 0), negative = ray_segment::make(-tiny, 1);
+  const bool whole = !from || from->whole();
+  hardware::set_mxcsr(found);
+  REQUIRE(from);
+  CHECK(from->first() == 0x1p-1074);
+  CHECK_FALSE(whole);
+  REQUIRE(to);
+  CHECK(to->last() == 0x1p-1074);
+  CHECK_FALSE(wrong);
+  CHECK_FALSE(negative);
+}
+#endif
 
 TEST_CASE("octree.segment: refuses ends that are not finite, and a point", "[unit]") {
   CHECK_FALSE(segment::make({0, 0, NAN}, {1, 1, 1}));

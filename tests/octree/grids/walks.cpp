@@ -225,6 +225,26 @@ TEST_CASE("octree.voxel_rays: segments between points through octants", "[mpfr][
   CHECK(found > 20'000);
 }
 
+TEST_CASE("octree.voxel_rays: nothing is certain where a bound is beyond the doubles",
+          "[regression]") {
+  // Upward, a plane less the origin is infinite; to nearest it is the greatest double. The ray is in
+  // the plane y = z.
+  const double most = 0x1.fffffffffffffp+1023;
+  const std::vector<double> planes{0, 0.25, 0.5, 0.75, 1};
+  const std::vector<index3> occupied{{1, 0, 2}};
+  const voxel_set of_root = *voxel_set::make(*root_cube::make({{0, 0, 0}, 1}, 2), occupied);
+  const voxel_set of_grid = *voxel_set::make(*grid::make({planes, planes, planes}), occupied);
+  const ray r = *ray::make({0.5, -most, -most}, {-0x1p-286, most, most});
+  on_each_path([&](batch::path) {
+    for (const voxel_set* set : {&of_root, &of_grid}) {
+      CHECK_FALSE(first_voxel(*set, r));
+      const bool any = visit_voxels(*set, r, convention::closed, exactness::exact, {},
+                                    [](const voxel&) { return true; });
+      CHECK_FALSE(any);
+    }
+  });
+}
+
 TEST_CASE("octree.voxel_rays: a grid of the most voxels on an axis, and one of one voxel",
           "[unit]") {
   const std::uint32_t most = grid::most_voxels;

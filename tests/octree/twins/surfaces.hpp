@@ -56,6 +56,15 @@ inline std::vector<std::string> operation_texts() {
       "acos(x)-asin(y)+atanh(z)-tanh(x*y)",
       "floor(3x)/2-y*z+sech(x)-csch(y)",
       "rootn(x,3)-rootn(y+0.5,4)+z^-3/9-x^40",
+      // choices
+      "if(x<y,z-x*y,sqrt(z))",
+      "if(x>=0,y-z,x*z-0.5)",
+      "if(x*y-z>0.1,sqrt(x)-y,1/z)",
+      "if(x<0 and y>0 or z==0,x*y-z,y^3-x)",
+      "if(sqrt(x)<y,log(y),z-x)",
+      "mod(x,0.3)-y*z",
+      "x%y-z",
+      "clamp(x-y,-0.5,0.5)-|z|",
       // subnormal and huge
       "(x*2^1000-1/2^74)^2*2^148 + y*z + y - z/2 - 1/10",
       "(x*2^1000-1/2^74)^2*2^148 + y*2^1000 - z*2^999 + y*z",

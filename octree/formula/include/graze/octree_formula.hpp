@@ -1,31 +1,49 @@
 #pragma once
 /// Surfaces from text: `formula::parse("x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8")`.
 ///
-/// Grammar, blanks anywhere between:
+/// Grammar, blanks anywhere between (docs/formulas.md has it for users):
+///   formula  = { definition ";" } any [ "=" any ] { ";" }  f = g is f - g
+///   definition = [ "let" ] name "=" any                    of a name without a meaning, once
+///   any      = all { ("or" | "||") all }
+///   all      = negation { ("and" | "&&") negation }
+///   negation = { "not" | "!" } comparison
+///   comparison = sum [ ("<" | "<=" | ">" | ">=" | "==" | "!=") sum ]
 ///   sum      = product { ("+" | "-") product }
-///   product  = signed { ("*" | "/") signed | power }      the last: 5x^2, 2(x+1), (x+1)(x-1)
-///   signed   = { "+" | "-" } power                        -x^2 is -(x^2)
-///   power    = primary [ "^" signed ]                     x^y^z is x^(y^z)
-///   primary  = number | name | name "(" sum { "," sum } ")" | "(" sum ")"
+///   product  = signed { ("*" | "/" | "%") signed | power } the last: 5x^2, 2|x|, (x+1)(x-1)
+///   signed   = { "+" | "-" } power                         -x^2 is -(x^2)
+///   power    = primary [ ("^" | "**") signed | superscripts ]   x^y^z is x^(y^z)
+///   primary  = number | name | name "(" any { "," any } ")" | "(" formula ")" | "|" sum "|"
 /// A number is decimal (11.8, .5, 1e-3) or hexadecimal (0x1.8p-3) and means that real number: one
-/// that is no double is enclosed by its two neighbours. Names: x y z, pi, e, and the functions
+/// that is no double is enclosed by its two neighbours. Names, in upper case too: x y z, pi, e,
+///   r = hypot(x, y), rho = hypot(r, z), theta = atan2(y, x), phi = atan2(r, z) in [0, pi], the angle
+///   from the z axis (these four may be defined anew), and the functions
 ///   sqr sqrt cbrt abs exp exp2 exp10 expm1 log (ln) log2 log10 log1p sin cos tan cot sec csc asin
 ///   acos atan acot sinh cosh tanh coth sech csch asinh acosh atanh acoth sign floor ceil trunc,
-///   atan2(y, x) hypot(x, y) pow(x, y) pown(x, n) rootn(x, n), min and max of two or more, and for
+///   atan2(y, x) hypot(x, y) pow(x, y) pown(x, n) rootn(x, n), min and max of two or more,
+///   clamp(x, least, greatest) = min(max(x, least), greatest),
+///   mod(x, m) = x % m = x - m floor(x/m), of the sign of m,
+///   if(c, a, b): a where the comparison c holds, else b, and for
 ///   solids f <= 0: union(a, b, ...) = min, intersection(a, b, ...) = max,
-///   difference(a, b) = max(a, -b).
-/// A product without a sign is refused where it could be read in two ways: after "/" and after "^",
-/// as in 1/2x and x^2y. x^n with an integer n is the power for all x; with any other exponent
-/// x^y = e^(y log x), for x > 0, or x = 0 < y: the real cube root of any number is cbrt(x).
+///   difference(a, b) = max(a, -b). Where a solid is wanted, and as the whole, a comparison is one:
+///   f < g and f <= g are f - g, "and" is max, "or" is min.
+/// × · and − are signs, π θ φ ρ names, ≤ ≥ ≠ comparisons, ² and ⁻¹ exponents. A product without a sign
+/// is refused where it could be read in two ways: after "/", "%" and "^", as in 1/2x and x^2y, and
+/// beside a closing bar. A bar opens where a number may begin, and closes elsewhere. x^n with an
+/// integer n is the power for all x; with any other exponent x^y = e^(y log x), for x > 0, or
+/// x = 0 < y: the real cube root of any number is cbrt(x).
 ///
 /// Where f is not defined there is no surface: {f = 0} holds points at which f is defined, that is,
-/// at which every part of the formula is (min(sqrt(x), y) is not, for x < 0).
+/// at which every part of the formula is (min(sqrt(x), y) is not, for x < 0), but for the operand
+/// that if(c, a, b) does not choose, and the comparisons that "and" and "or" in c do not need.
 #include <graze/expected.hpp>
 #include <graze/octree/certified_hit.hpp>
 #include <graze/octree/inclusion.hpp>
 #include <graze/octree_formula/evaluate.hpp>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace graze::octree {
 
@@ -77,22 +95,40 @@ private:
   const tape::program* program_;
 };
 
+/// A name with a value that is given from outside of the text.
+struct parameter {
+  static constexpr std::size_t longest_name = 100;
+  std::string name, value;
+
+  /// Refuses what is no name, or has a meaning already (but r, rho, theta, phi), and a value that is
+  /// no constant, as a formula: "0.3" is that decimal's real number, "sqrt(5)/2" its. `column`, in
+  /// bytes from 1, is where the value goes wrong; 0 if it does not.
+  [[nodiscard]] static expected<parameter> make(std::string_view name, std::string_view value,
+                                                std::size_t* column = nullptr);
+};
+
 /// A text formula, compiled. Copies share what was compiled, which never changes: any thread.
 class formula {
 public:
-  /// Bytes of text, operators within operators, and numbers' characters, beyond which a text is
-  /// refused.
-  static constexpr std::size_t longest_text = 65536, most_nested = 200, longest_number = 1000;
+  /// Bytes of text, operators within operators, numbers' characters, and terms that are copied
+  /// where definitions are used, beyond which a text is refused.
+  static constexpr std::size_t longest_text = 65536, most_nested = 200, longest_number = 1000,
+                               most_terms = 1 << 18;
 
-  /// Refuses what is no formula, with a reason that begins with "column N: "; N, which counts bytes
-  /// from 1, is also written to `column` if given. Any text, hostile ones included: time and memory
-  /// are bounded, nothing is thrown.
-  [[nodiscard]] static expected<formula> parse(std::string_view text,
-                                               std::size_t* column = nullptr);
+  /// Refuses what is no formula, with a reason that begins with "column N: ", in characters of UTF-8
+  /// from 1; `column`, if given, is the same place in bytes from 1. Any text, hostile ones included:
+  /// time and memory are bounded, nothing is thrown. `set`: see parameter::make.
+  [[nodiscard]] static expected<formula> parse(std::string_view text, std::size_t* column = nullptr,
+                                               std::span<const parameter> set = {});
 
   [[nodiscard]] formula_surface surface() const { return formula_surface(*program_); }
   /// What was parsed.
   [[nodiscard]] const std::string& text() const { return program_->text; }
+  /// Whether this parameter is part of it.
+  [[nodiscard]] bool uses(std::string_view name) const;
+  /// Of powers that are not proven to have a base >= 0 on the domain, such as x^(1/3), what else may
+  /// be meant: "x^(1/3) is defined for x >= 0; cbrt(x)?".
+  [[nodiscard]] std::vector<std::string> notes(const box& domain) const;
 
 private:
   explicit formula(std::shared_ptr<const tape::program> p) : program_(std::move(p)) {}

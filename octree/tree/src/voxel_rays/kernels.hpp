@@ -178,7 +178,8 @@ GRAZE_BATCH_INLINE void start_line(voxel_rays_state& s) {
     // overflows, and o - lo is then infinite
     const double to_lo = o - lo < lo - o ? lo - o : o - lo,
                  to_hi = o - hi < hi - o ? hi - o : o - hi;
-    const double far = (to_lo < to_hi ? to_hi : to_lo) * up[a];
+    const double reach = to_lo < to_hi ? to_hi : to_lo;
+    const double far = reach <= 0x1p1023 ? reach * up[a] : infinity; // else a bound may overflow
     greatest = far > greatest ? far : greatest;
     if constexpr (Planes::tabled) {
       const double blur = s.plane_width[a] * up[a];
@@ -208,9 +209,11 @@ GRAZE_BATCH_INLINE void start_line(voxel_rays_state& s) {
   // Each bound is off by three roundings, by five where the direction is a difference of points:
   // 2^-49 of it at most, where nothing underflows but the last product; and by what its plane is
   // off. Two bounds make an overlap. 2^-46 of the greatest, and twice what two planes add, leave
-  // room for the rounding of this number and of the overlap. Where a constant may have lost bits,
-  // nothing is certain.
-  s.certain = least < 0x1p-900 ? infinity : greatest * 0x1p-46 + blurred * 4 + 0x1p-1000;
+  // room for the rounding of this number and of the overlap. Where a constant may have lost bits, or
+  // a bound may be infinite, nothing is certain.
+  s.certain = least < 0x1p-900 || !(greatest <= 0x1p1023)
+                  ? infinity
+                  : greatest * 0x1p-46 + blurred * 4 + 0x1p-1000;
 
   s.opened = 0;
   s.at = 0;

@@ -67,6 +67,7 @@ struct scene {
   std::vector<object> objects; ///< at least one
   solid shape;
   colour background = default_background;
+  std::vector<octree::parameter> set{}; ///< of the formulas, in order; each is used by one at least
   /// The picture has an alpha channel, 0 where no ray hit; `background` is what mirrors show.
   bool transparent = false;
   /// What is asked of the camera where it is to fit the surface; until then (settle_view) it fits the
@@ -92,6 +93,10 @@ expected<std::unique_ptr<caster>> prepare(const scene& s, int octree_level, int 
 /// The text of the whole, of which f = 0 is the surface: min for a union, max for an intersection.
 /// For a surface that is built in, what it is.
 std::string formula_text(const scene& s);
+
+/// One line on powers of which the formulas are made and which are not defined all over the domain,
+/// though another spelling may be (formula::notes); empty if there is nothing to be said.
+std::string note_on(const scene& s);
 
 /// Which of the scene's objects the surface belongs to near `point`.
 std::size_t object_at(const scene& s, const vec3& point);

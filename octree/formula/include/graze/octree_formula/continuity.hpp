@@ -16,6 +16,7 @@ GRAZE_BATCH_INLINE constexpr bool continuous_everywhere(opcode op, int n) {
   case opcode::sqrt:
   case opcode::pow:
   case opcode::atan2:
+  case opcode::select:
   case opcode::log:
   case opcode::log2:
   case opcode::log10:
@@ -42,8 +43,8 @@ GRAZE_BATCH_INLINE constexpr bool continuous_everywhere(opcode op, int n) {
 }
 
 /// Proven: the operation is defined at every point of the operands' box, and its restriction to the
-/// box is continuous. For those that are not continuous everywhere. Source: the decorations of IEEE
-/// 1788 (graze/decoration.hpp).
+/// box is continuous. For those that are not continuous everywhere, but `select`, of which
+/// continuity<N>::chosen knows. Source: the decorations of IEEE 1788 (graze/decoration.hpp).
 bool continuous_on(opcode op, const bounds& a, const bounds& b, int n);
 
 /// How a number type says where: one bit for an interval, one for each lane of eight. None for
@@ -51,12 +52,18 @@ bool continuous_on(opcode op, const bounds& a, const bounds& b, int n);
 template <class N> struct continuity {
   static constexpr unsigned everywhere = 0;
   static unsigned bits(opcode, const N&, const N&, int) { return everywhere; }
+  static unsigned chosen(const N&, unsigned, unsigned) { return everywhere; }
 };
 template <class Policies> struct continuity<boost::numeric::interval<double, Policies>> {
   using interval = boost::numeric::interval<double, Policies>;
   static constexpr unsigned everywhere = 1;
   static unsigned bits(opcode op, const interval& a, const interval& b, int n) {
     return continuous_on(op, to_bounds(a), to_bounds(b), n) ? 1 : 0;
+  }
+  /// Of `select`: what is known of the operand that is chosen on the whole box; nothing where that
+  /// is not decided.
+  static unsigned chosen(const interval& a, unsigned if_positive, unsigned if_not) {
+    return a.lower() > 0 ? if_positive : a.upper() <= 0 ? if_not : 0;
   }
   /// The value, or 1 where there is none; see formula_surface.
   static interval defined(const interval& x) {

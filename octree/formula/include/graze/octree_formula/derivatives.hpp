@@ -56,6 +56,13 @@ template <class N, std::size_t P> struct operations<dual<N, P>> {
       r.partial[i] = o::of_lesser(y.value, x.value, x.partial[i], y.partial[i]);
     return r;
   }
+  /// Within one branch its slopes; across both, where it may jump, continuity<N> gives no bound.
+  static d select(const d& a, const d& if_positive, const d& if_not) {
+    d r{o::select(a.value, if_positive.value, if_not.value), {}};
+    for (std::size_t i = 0; i < P; ++i)
+      r.partial[i] = o::select(a.value, if_positive.partial[i], if_not.partial[i]);
+    return r;
+  }
   static d pown(const d& x, int n) {
     const N value = o::pown(x.value, n);
     if (n == 0)

@@ -44,15 +44,26 @@ outcome<N> run(const program& p, const N& x, const N& y, const N& z) {
   r[0].number = x;
   r[1].number = y;
   r[2].number = z;
-  unsigned continuous = Track || p.continuous ? where::everywhere : 0;
+  // of each register, as outcome::continuous; without `Track` it is not looked at
+  [[maybe_unused]] unsigned continuous[Track ? program::most_registers : 1];
+  if constexpr (Track)
+    continuous[0] = continuous[1] = continuous[2] = where::everywhere;
   const instruction* const end = p.code.data() + p.code.size();
   for (const instruction* i = p.code.data(); i != end; ++i) {
     const N& a = r[i->a].number;
     const N& b = r[i->b].number;
     N& to = r[i->target].number;
     if constexpr (Track) {
-      if (!continuous_everywhere(i->op, i->n))
-        continuous &= where::bits(i->op, part::value(a), part::value(b), i->n);
+      if (i->op == opcode::select) {
+        continuous[i->target] =
+            continuous[i->a] & where::chosen(part::value(a), continuous[i->b], continuous[i->n]);
+      } else {
+        // of what has one operand or none, the others are register 0
+        unsigned here = continuous[i->a] & continuous[i->b];
+        if (!continuous_everywhere(i->op, i->n))
+          here &= where::bits(i->op, part::value(a), part::value(b), i->n);
+        continuous[i->target] = here;
+      }
     }
     const auto number = [&] {
       return operations<typename part::type>::number(p.constants.data()[i->n]);
@@ -125,6 +136,9 @@ outcome<N> run(const program& p, const N& x, const N& y, const N& z) {
     case opcode::atan2:
       to = o::atan2(a, b);
       break;
+    case opcode::select:
+      to = o::select(a, b, r[i->n].number);
+      break;
 #define GRAZE_TAPE_CASE(name)                                                                      \
   case opcode::name:                                                                               \
     to = o::name(a);                                                                               \
@@ -133,7 +147,10 @@ outcome<N> run(const program& p, const N& x, const N& y, const N& z) {
 #undef GRAZE_TAPE_CASE
     }
   }
-  return {r[p.result].number, continuous};
+  if constexpr (Track)
+    return {r[p.result].number, continuous[p.result]};
+  else
+    return {r[p.result].number, p.continuous ? where::everywhere : 0};
 }
 
 /// f(x, y, z) as surfaces give it: see formula_surface.

@@ -91,6 +91,9 @@ template <> struct operations<double> {
   static double pow(double x, double y) { return std::exp(y * std::log(x)); }
   static double hypot(double x, double y) { return std::hypot(x, y); }
   static double atan2(double y, double x) { return std::atan2(y, x); }
+  static double select(double a, double if_positive, double if_not) {
+    return a > 0 ? if_positive : (a <= 0 ? if_not : a);
+  }
 
   static double cbrt(double x) { return std::cbrt(x); }
   static double exp(double x) { return std::exp(x); }
@@ -193,6 +196,22 @@ template <class P> struct tape_lanes {
     return {P::select(is_a, if_a.lo, P::select(is_b, if_b.lo, lo)),
             P::select(is_a, if_a.hi, P::select(is_b, if_b.hi, hi))};
   }
+  /// The hull of both where the sign of a is not decided; nothing where a is empty.
+  static GRAZE_BATCH_INLINE part select(const part& a, const part& if_positive,
+                                        const part& if_not) {
+    const vector zero = P::zero();
+    const mask yes = P::less(zero, a.lo), no = P::less_equal(a.hi, zero);
+    // the second where either is empty
+    const vector lo = P::min_or_second(if_positive.lo, if_not.lo),
+                 hi = P::max_or_second(if_positive.hi, if_not.hi);
+    const mask alone = P::either_nan(if_not.lo, if_not.hi);
+    const part hull = {P::select(alone, if_positive.lo, lo), P::select(alone, if_positive.hi, hi)};
+    const mask is_empty = P::either_nan(a.lo, a.hi);
+    return {P::select(is_empty, a.lo,
+                      P::select(yes, if_positive.lo, P::select(no, if_not.lo, hull.lo))),
+            P::select(is_empty, a.hi,
+                      P::select(yes, if_positive.hi, P::select(no, if_not.hi, hull.hi)))};
+  }
   static GRAZE_BATCH_INLINE part defined(const part& x) {
     const mask is_empty = P::either_nan(x.lo, x.hi);
     const vector one = P::broadcast(1);
@@ -216,6 +235,9 @@ template <class I> struct interval_operations {
   static GRAZE_BATCH_INLINE I abs(const I& x) { return each<&formulas::abs>(x); }
   static GRAZE_BATCH_INLINE I min(const I& x, const I& y) { return each<&formulas::min>(x, y); }
   static GRAZE_BATCH_INLINE I max(const I& x, const I& y) { return each<&formulas::max>(x, y); }
+  static GRAZE_BATCH_INLINE I select(const I& a, const I& if_positive, const I& if_not) {
+    return each<&per_lane::select>(a, if_positive, if_not);
+  }
 
   /// By its monotone pieces: the range runs between the values at x's ends and in the turns that x
   /// meets.

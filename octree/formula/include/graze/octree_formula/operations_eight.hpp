@@ -89,6 +89,13 @@ template <class Path> struct continuity<interval8<Path>> {
         mask |= 1u << i;
     return mask;
   }
+  static unsigned chosen(const I& a, unsigned if_positive, unsigned if_not) {
+    const detail::eight_bounds b(a);
+    unsigned mask = 0;
+    for (unsigned i = 0; i < 8; ++i)
+      mask |= (b.lo[i] > 0 ? if_positive : b.hi[i] <= 0 ? if_not : 0) & 1u << i;
+    return mask;
+  }
   static GRAZE_BATCH_INLINE I defined(const I& x) {
     return I::template lanewise<&detail::tape_lanes<Path>::defined>(x);
   }

@@ -1,6 +1,7 @@
 #pragma once
 /// The tape: what a text formula is compiled to, a list of operations on registers, without loops
 /// and without anything that depends on the number type over which it is run (evaluate.hpp).
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -64,7 +65,8 @@ enum class opcode : std::uint8_t {
   polynomial, ///< polynomials[n] at a
   pow,        ///< a^b = e^(b log a)
   hypot,
-  atan2, ///< the angle of (b, a)
+  atan2,  ///< the angle of (b, a)
+  select, ///< register b where a > 0, register n where a <= 0
 #define GRAZE_TAPE_OPCODE(name) name,
   GRAZE_TAPE_FUNCTIONS(GRAZE_TAPE_OPCODE)
 #undef GRAZE_TAPE_OPCODE
@@ -97,6 +99,12 @@ struct polynomial {
   std::uint32_t derivative; ///< also one of the program's; of a derivative without meaning
 };
 
+/// What a reader should know where the power's base is not >= 0.
+struct note {
+  std::size_t instruction; ///< the power's
+  std::string text;
+};
+
 /// A tape with all that it refers to.
 struct program {
   static constexpr unsigned most_registers = 128;
@@ -110,7 +118,9 @@ struct program {
   bool continuous = true;
   /// Its natural interval extension is its range but for rounding.
   bool tight = true;
-  std::string text; ///< of which it was compiled
+  std::string text;                    ///< of which it was compiled
+  std::vector<std::string> parameters; ///< those that it uses
+  std::vector<note> notes;
 };
 
 } // namespace graze::octree::tape

@@ -16,19 +16,21 @@ public:
   ray_segment() = default;
   /// Refuses NaN, first < 0, first infinite, and last < first.
   [[nodiscard]] static expected<ray_segment> make(double first, double last) {
-    if (!(first >= 0) || !std::isfinite(first))
+    using rounding::exact::is_zero,
+        rounding::exact::less; // no subnormal number is 0, in any environment
+    if (!rounding::exact::finite(first) || less(first, 0))
       return unexpected{"a segment begins at a finite t >= 0"};
-    if (!(first <= last))
+    if (std::isnan(last) || less(last, first))
       return unexpected{"a segment ends before it begins"};
     ray_segment s;
-    s.first_ = first == 0 ? 0 : first; // no negative zero
+    s.first_ = is_zero(first) ? 0 : first; // no negative zero
     s.last_ = last;
     return s;
   }
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; } ///< may be infinite
   [[nodiscard]] bool whole() const {
-    return first_ == 0 && last_ == std::numeric_limits<double>::infinity();
+    return rounding::exact::is_zero(first_) && last_ == std::numeric_limits<double>::infinity();
   }
 
 private:

@@ -19,6 +19,8 @@ struct tree {
   std::string text;
   std::vector<std::shared_ptr<tree>> operands;
   std::optional<real> (*value_of)(const std::vector<real>&) = nullptr;
+  /// Of a choice: whether its third operand is the value, or its fourth; the other is not looked at.
+  bool (*chooses)(const real&, const real&) = nullptr;
   int axis = -1;      ///< of a variable
   std::string digits; ///< of a constant
 
@@ -32,6 +34,14 @@ struct tree {
     if (!digits.empty())
       return real(digits);
     std::vector<real> x;
+    if (chooses != nullptr) {
+      const auto a = (*operands[0])(p), b = (*operands[1])(p);
+      if (!a || !b)
+        return std::nullopt;
+      // so near that they may be equal but for the judge's roundings
+      gave_up = gave_up || (*a != *b && abs(*a - *b) < real("1e-100") * (1 + abs(*a)));
+      return gave_up ? std::nullopt : (*operands[chooses(*a, *b) ? 2 : 3])(p);
+    }
     for (const auto& t : operands) {
       const auto v = (*t)(p);
       if (!v)
@@ -65,9 +75,16 @@ struct shape {
   const char* before;
   int operands;
   optional_real (*value)(const arguments&);
+  bool (*chooses)(const real&, const real&) = nullptr;
 };
 
-/// "f(" for a function; an operator otherwise.
+inline optional_real modulo(const arguments& x) {
+  if (x[1] == 0)
+    return std::nullopt;
+  return real(x[0] - x[1] * floor(real(x[0] / x[1])));
+}
+
+/// "f(" for a function; an operator otherwise; or the whole, with @ for each operand.
 inline const std::vector<shape>& shapes() {
   using a = const arguments&;
   static const std::vector<shape> table{
@@ -148,6 +165,21 @@ inline const std::vector<shape>& shapes() {
       {"ceil(", 1, [](a x) -> optional_real { return real(ceil(x[0])); }},
       {"trunc(", 1, [](a x) -> optional_real { return real(trunc(x[0])); }},
       {"sign(", 1, [](a x) -> optional_real { return real(x[0].sign()); }},
+      {"mod(", 2, modulo},
+      {"%", 2, modulo},
+      {"|@|", 1, [](a x) -> optional_real { return real(abs(x[0])); }},
+      {"(@)²", 1, [](a x) -> optional_real { return real(x[0] * x[0]); }},
+      {"clamp(@,-0.5,1)", 1,
+       [](a x) -> optional_real { return x[0] < -0.5 ? real(-0.5)
+                                         : x[0] > 1  ? real(1)
+                                                     : x[0]; }},
+      {"if(@<@,@,@)", 4, nullptr, [](const real& s, const real& t) { return s < t; }},
+      {"if(@<=@,@,@)", 4, nullptr, [](const real& s, const real& t) { return s <= t; }},
+      {"if(@>@,@,@)", 4, nullptr, [](const real& s, const real& t) { return s > t; }},
+      {"if(not @>=@,@,@)", 4, nullptr, [](const real& s, const real& t) { return s < t; }},
+      {"if(@==@,@,@)", 4, nullptr, [](const real& s, const real& t) { return s == t; }},
+      {"if(@!=@,@,@)", 4, nullptr, [](const real& s, const real& t) { return s != t; }},
+      {"if(@>=@,@,@)", 4, nullptr, [](const real& s, const real& t) { return s >= t; }},
   };
   return table;
 }
@@ -172,10 +204,15 @@ inline std::shared_ptr<tree> some_tree(random_bits& random, int depth, bool arit
                                           : below(random, 2) == 0 ? 13
                                                                   : shapes().size())];
   t->value_of = s.value;
+  t->chooses = s.chooses;
   for (int i = 0; i < s.operands; ++i)
     t->operands.push_back(some_tree(random, depth - 1, arithmetic));
   const std::string name = s.before;
-  if (name.back() == '(')
+  if (name.find('@') != name.npos) {
+    auto operand = t->operands.begin();
+    for (const char c : name)
+      c == '@' ? t->text += "(" + (*operand++)->text + ")" : t->text += c;
+  } else if (name.back() == '(')
     t->text =
         name + t->operands[0]->text + (s.operands == 2 ? "," + t->operands[1]->text : "") + ")";
   else if (s.operands == 2)
