@@ -57,12 +57,38 @@ expected<scene> scene_of_picture(const std::string& file, picture_settings& sett
   return s;
 }
 
-/// What is to be rendered: a scene, or what an orbit turns.
+/// What is to be rendered: a scene, or several, each in its file. Of an orbit what it turns.
 struct task {
-  scene subject;
+  std::vector<scene> subjects; ///< of --animate one a picture, else one
   framed_camera from;
   std::vector<std::string> files; ///< one a picture
 };
+
+/// The scenes of --animate, or the scene; under one camera.
+status read_scenes(const request& r, int pictures, task& t, formula_mark& where) {
+  const bool animated = !r.view.animate.empty();
+  std::optional<ball> all;
+  for (int i = 0; i < (animated ? pictures : 1); ++i) {
+    scene_options options = r.scene;
+    if (animated)
+      options.set.push_back(r.view.value_of(i));
+    auto s = options.read(&where);
+    if (!s)
+      return unexpected{s.reason()};
+    t.subjects.push_back(*std::move(s));
+    if (const scene& last = t.subjects.back(); animated && last.fitted) {
+      const ball own = surface_extent(last);
+      all = all ? ball_about(*all, own) : own;
+    }
+  }
+  for (scene& s : t.subjects) {
+    const auto from = r.view.apply(s, all);
+    if (!from)
+      return unexpected{from.reason()};
+    t.from = *from;
+  }
+  return {};
+}
 
 /// What is rendered and, in r.settings, how; or the reason why that cannot be done. Asked before any
 /// work but that of finding the surface's extent.
@@ -90,23 +116,26 @@ expected<task> understand(request& r, formula_mark& where) {
   const auto format = format_of(r.output);
   if (!format)
     return unexpected{"the output " + format.reason()};
+  const auto pictures = r.view.pictures();
+  if (!pictures)
+    return unexpected{pictures.reason()};
   task t;
-  for (int i = 0; i < std::max(r.view.orbit, 1); ++i) {
-    auto file = r.view.orbit == 0 ? r.output : frame_file(r.output, i);
+  for (int i = 0; i < *pictures; ++i) {
+    auto file = *pictures == 1 ? r.output : frame_file(r.output, i);
     if (!file)
       return unexpected{file.reason()};
     if (const status may = check_writable(*file); !may)
       return unexpected{may.reason()};
     t.files.push_back(*std::move(file));
   }
-  auto s = r.again.empty() ? r.scene.read(&where) : scene_of_picture(r.again, r.settings);
-  if (!s)
-    return unexpected{s.reason()};
-  t.subject = *std::move(s);
-  const auto from = r.view.apply(t.subject);
-  if (!from)
-    return unexpected{from.reason()};
-  t.from = *from;
+  if (!r.again.empty()) {
+    auto s = scene_of_picture(r.again, r.settings);
+    if (!s)
+      return unexpected{s.reason()};
+    t.subjects.push_back(*std::move(s));
+  } else if (const status may = read_scenes(r, *pictures, t, where); !may) {
+    return unexpected{may.reason()};
+  }
   if (const status may = prepare_to_encode(*format); !may)
     return unexpected{may.reason()};
   return t;
@@ -144,7 +173,7 @@ expected<std::vector<unsigned char>> bytes_of(const request& r, const scene& s,
   return encode(image, format);
 }
 
-void print_summary(const request& r, const scene& s, int frame, const std::string& file,
+void print_summary(const request& r, const scene& s, int frame, int frames, const std::string& file,
                    const caster& surface, double octree_seconds, const rendering& result) {
   const tally& c = result.counts;
   const double rate = result.seconds > 0 ? static_cast<double>(c.rays()) / result.seconds : 0;
@@ -162,8 +191,8 @@ void print_summary(const request& r, const scene& s, int frame, const std::strin
                                    {"threads", r.threads},
                                    {"output", file},
                                    {"complete", result.complete}};
-    if (r.view.orbit != 0)
-      line.update({{"frame", frame}, {"frames", r.view.orbit}});
+    if (frames > 1)
+      line.update({{"frame", frame}, {"frames", frames}});
     line.update(counts_of(c));
     line.update({{"octants_per_ray", c.octants_a_ray()},
                  {"octree_leaves", surface.octree_leaves()},
@@ -200,12 +229,8 @@ int render_to_files(const request& r, const task& t) {
   const auto seconds_so_far = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  auto surface = prepare(t.subject, std::min(chosen.octree_level, chosen.levels), chosen.levels,
-                         chosen.method);
-  if (!surface)
-    return bad_input(surface.reason());
-  const double octree_seconds = seconds_so_far();
-
+  expected<std::unique_ptr<caster>> surface = unexpected{""};
+  double octree_seconds = 0;
   progress_line line("pixels", r.progress);
   const settings loop = {chosen.size, static_cast<unsigned>(r.threads),
                          chosen.mode, side_of(chosen.spp),
@@ -213,19 +238,32 @@ int render_to_files(const request& r, const task& t) {
   const int frames = static_cast<int>(t.files.size());
   for (int i = 0; i < frames; ++i) {
     const std::string& file = t.files[static_cast<std::size_t>(i)];
-    scene s = t.subject;
+    const bool is_next = static_cast<std::size_t>(i) < t.subjects.size();
+    scene s = is_next ? t.subjects[static_cast<std::size_t>(i)] : t.subjects.back();
+    if (is_next) {
+      const double before = seconds_so_far();
+      surface =
+          prepare(s, std::min(chosen.octree_level, chosen.levels), chosen.levels, chosen.method);
+      octree_seconds = seconds_so_far() - before;
+      if (!surface) {
+        line.clear();
+        return bad_input(frames == 1
+                             ? surface.reason()
+                             : fmt::format("picture {} of {}: {}", i, frames, surface.reason()));
+      }
+    }
     if (r.view.orbit != 0) {
       s.view = turned(t.from, 360.0 * i / frames);
       if (s.lit == scene::lamps::headlight)
         s.lights = headlight(s.view);
     }
-    const rendering result = render_picture(
-        s, **surface, loop, &stop_wanted,
-        [&](std::uint64_t done_pixels, std::uint64_t pixels, double) {
-          const auto before = static_cast<std::uint64_t>(i) * pixels;
-          line.show({before + done_pixels, static_cast<std::uint64_t>(frames) * pixels,
-                     seconds_so_far() - octree_seconds});
-        });
+    const rendering result =
+        render_picture(s, **surface, loop, &stop_wanted,
+                       [&](std::uint64_t done_pixels, std::uint64_t pixels, double) {
+                         const auto before = static_cast<std::uint64_t>(i) * pixels;
+                         line.show({before + done_pixels,
+                                    static_cast<std::uint64_t>(frames) * pixels, seconds_so_far()});
+                       });
     if (i + 1 == frames || stop_wanted)
       end_is_orderly();
     line.clear();
@@ -236,7 +274,7 @@ int render_to_files(const request& r, const task& t) {
       return end_with(ended_by_signal, "interrupted before the first tile; nothing written");
     if (const status written = write_picture(r, s, result, file); !written)
       return end_with(not_written, written.reason());
-    print_summary(r, s, i, file, **surface, octree_seconds, result);
+    print_summary(r, s, i, frames, file, **surface, octree_seconds, result);
     if (!result.complete)
       return end_with(ended_by_signal,
                       fmt::format("interrupted: {} is a partial picture, {} of {} pixels",
@@ -298,6 +336,7 @@ void declare(CLI::App& app, request& r) {
       "  graze-render --formula \"x^4 + y^4 + z^4 - 1\" --domain=-1.5,1.5 --spp 4 -o cube.png\n"
       "  graze-render --formula \"w = x^2 + y^2; w + z^2 = a*w^2 + 1\" --set a=1/3 -o ring.png\n"
       "  graze-render --formula \"x*y*z + 1/10\" --domain=-1,1 --up z --orbit 36 -o around.png\n"
+      "  graze-render --formula \"x^2 + y^2 - z^2 - a\" --animate a=-1..1 --frames 50 -o a.png\n"
       "  graze-render --formula \"x^2 + y^2 - z^2\" --azimuth 30 --size 4096 --spp 16 \\\n"
       "    --background transparent --colour steelblue -o figure.png\n"
       "  graze-render --scene tanglecube -o tanglecube.npz  # depth into NumPy\n"
@@ -326,7 +365,7 @@ int start(int argc, char** argv) {
     print_error(where.lines());
     return refused;
   }
-  if (const std::string note = note_on(t->subject); !note.empty())
+  if (const std::string note = note_on(t->subjects.front()); !note.empty())
     complain(note);
   if (r.threads == 0)
     r.threads = static_cast<int>(default_threads());

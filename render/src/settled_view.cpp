@@ -103,9 +103,10 @@ ball surface_extent(const scene& s) {
 
 std::vector<light> headlight(const camera& view) { return {{view.eye, 0.9}}; }
 
-expected<framed_camera> settle_view(scene& s, const framing& asked) {
+expected<framed_camera> settle_view(scene& s, const framing& asked,
+                                    const std::optional<ball>& shown) {
   const framing whole = s.fitted ? asked.over(*s.fitted) : asked;
-  const auto made = s.fitted ? frame(whole, surface_extent(s))
+  const auto made = s.fitted ? frame(whole, shown ? *shown : surface_extent(s))
                              : frame(whole, s.view, ball_about(s.domain).middle);
   if (!made && whole.empty()) // a domain too large or too small for it
     return framed_camera{s.view, ball_about(s.domain).middle, {0, 1, 0}};

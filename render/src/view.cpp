@@ -211,6 +211,17 @@ ball ball_about(const octree::box& b) {
   return r;
 }
 
+ball ball_about(const ball& a, const ball& b) {
+  const vec3 between = sum(b.middle, -1, a.middle);
+  const double apart = length(between);
+  if (apart + b.radius <= a.radius)
+    return a;
+  if (apart + a.radius <= b.radius)
+    return b;
+  const double radius = (a.radius + apart + b.radius) / 2;
+  return {sum(a.middle, (radius - a.radius) / apart, between), radius};
+}
+
 expected<framed_camera> frame(const framing& asked, const ball& shown) {
   return frame_from(
       asked,

@@ -1,7 +1,9 @@
 #include "view_options.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <graze/render/scene_text.hpp>
+#include <graze/support/text.hpp>
 
 namespace graze::render {
 namespace {
@@ -56,6 +58,25 @@ support::status add_lights(const std::vector<std::string>& texts, scene& s) {
   return {};
 }
 
+struct named_range {
+  std::string name;
+  double first, last;
+};
+
+/// "a=0..1".
+expected<named_range> range_from(std::string_view text) {
+  const unexpected wrong{fmt::format("'{}' must be as a=0..1", support::shown(text))};
+  const auto sign = text.find('='), dots = text.find("..");
+  if (sign == text.npos || sign == 0 || dots == text.npos || dots < sign)
+    return wrong;
+  const auto first = numbers_from(text.substr(sign + 1, dots - sign - 1)),
+             last = numbers_from(text.substr(dots + 2));
+  if (!first || !last || first->size() != 1 || last->size() != 1 ||
+      !(std::fabs(first->front()) <= 1e100 && std::fabs(last->front()) <= 1e100))
+    return wrong;
+  return named_range{std::string(text.substr(0, sign)), first->front(), last->front()};
+}
+
 } // namespace
 
 std::vector<CLI::Option*> view_options::declare(CLI::App& app) {
@@ -88,13 +109,42 @@ std::vector<CLI::Option*> view_options::declare(CLI::App& app) {
           fmt::format("Pictures around the surface, 2 to {}: name_0000.png and so on, or\n"
                       "by a pattern as in -o name-%03d.png",
                       most_frames)),
+      app.add_option("--animate", animate,
+                     "a=0..1: pictures with --set a=..., from the first value to the last"),
+      app.add_option("--frames", frames, fmt::format("Of --animate, 2 to {}", most_frames)),
   };
   for (CLI::Option* option : all)
     option->group(group);
   return all;
 }
 
-expected<framed_camera> view_options::apply(scene& s) const {
+expected<int> view_options::pictures() const {
+  const auto count = [](const char* name, int n) -> expected<int> {
+    if (n < 2 || n > most_frames)
+      return unexpected{fmt::format("{} must be 2 to {}, not {}", name, most_frames, n)};
+    return n;
+  };
+  if (animate.empty()) {
+    if (frames != 0)
+      return unexpected{"--frames is of --animate"};
+    return orbit == 0 ? expected<int>(1) : count("--orbit", orbit);
+  }
+  if (orbit != 0)
+    return unexpected{"--orbit and --animate exclude each other"};
+  if (frames == 0)
+    return unexpected{"--animate needs --frames"};
+  if (const auto range = range_from(animate); !range)
+    return unexpected{"--animate: " + range.reason()};
+  return count("--frames", frames);
+}
+
+std::string view_options::value_of(int picture) const {
+  const auto range = range_from(animate);
+  const double part = static_cast<double>(picture) / (frames - 1);
+  return fmt::format("{}={}", range->name, range->first * (1 - part) + range->last * part);
+}
+
+expected<framed_camera> view_options::apply(scene& s, const std::optional<ball>& shown) const {
   framing asked{{}, {}, {}, azimuth, elevation, fov, zoom};
   std::optional<render::colour> body, inside, behind;
   const bool transparent = background == "transparent";
@@ -120,9 +170,7 @@ expected<framed_camera> view_options::apply(scene& s) const {
     s.background = *behind;
   if (orbit != 0 && s.lit == scene::lamps::usual)
     s.lit = scene::lamps::headlight;
-  if (orbit < 0 || orbit == 1 || orbit > most_frames)
-    return unexpected{fmt::format("--orbit must be 2 to {}, not {}", most_frames, orbit)};
-  const auto settled = settle_view(s, asked);
+  const auto settled = settle_view(s, asked, shown);
   if (!settled)
     return unexpected{"the view: " + settled.reason()};
   return settled;

@@ -142,7 +142,8 @@ TEST_CASE("graze-render: --set gives names their values, exactly, before a scene
   const scratch dir;
   const auto bytes = [&](const std::string& arguments) {
     const std::string file = dir / "a.png";
-    const auto o = call(GRAZE_RENDER, arguments + " --size 24 -o " + file);
+    const auto o = call(GRAZE_RENDER,
+                        arguments + " --eye 5,2,3 --look-at 0,0,0 --fov 40 --size 24 -o " + file);
     INFO(arguments << ": " << o.err);
     REQUIRE(o.code == 0);
     CHECK(o.err.empty());
@@ -302,6 +303,44 @@ TEST_CASE("graze-render: an orbit is a picture from each side, and --again makes
               .code == 0);
   CHECK(std::filesystem::exists(dir / "t-000-x.png"));
   CHECK(std::filesystem::exists(dir / "t-010-x.png"));
+}
+
+TEST_CASE("graze-render: an animation is a picture for each value, under one camera", "[unit]") {
+  const scratch dir;
+  const std::string to = " -o " + (dir / "a.png"),
+                    ball = "--formula 'x^2 + y^2 + z^2 - a*b' --set b=2 --size 40 --json ";
+  const auto seen = call(GRAZE_RENDER, ball + "--animate a=0.25..1 --frames 4" + to);
+  INFO(seen.err);
+  REQUIRE(seen.code == 0);
+  std::istringstream lines(seen.out);
+  int hits = 0, frame = 0;
+  for (std::string line; std::getline(lines, line); ++frame) { // it grows: the camera stands still
+    const auto found = nlohmann::json::parse(line);
+    CHECK(found["frame"] == frame);
+    CHECK(found["hits"].get<int>() > hits + 50);
+    hits = found["hits"];
+  }
+  CHECK(frame == 4);
+  for (const char* name : {"a_0000.png", "a_0001.png", "a_0002.png", "a_0003.png"})
+    CHECK(std::filesystem::remove(dir / name));
+  const std::string standing = ball + "--eye 5,2,3 --look-at 0,0,0 --fov 40 ";
+  REQUIRE(call(GRAZE_RENDER, standing + "--animate a=1..0.5 --frames 3" + to).code == 0);
+  REQUIRE(call(GRAZE_RENDER, standing + "--set a=0.75" + to).code == 0);
+  CHECK(support::content(dir / "a_0001.png") == support::content(dir / "a.png"));
+  REQUIRE(call(GRAZE_RENDER, "--again " + (dir / "a_0001.png") + " -o " + (dir / "b.png")).code ==
+          0);
+  CHECK(support::content(dir / "a_0001.png") == support::content(dir / "b.png"));
+  const scratch none;
+  const std::string nowhere = " -o " + (none / "a.png");
+  refused(none, ball + "--animate a=0..1" + nowhere, "--animate needs --frames");
+  refused(none, ball + "--frames 3" + nowhere, "--frames is of --animate");
+  refused(none, ball + "--animate a=0..1 --frames 1" + nowhere, "--frames must be 2 to 10000");
+  refused(none, ball + "--animate a=0..1 --frames 3 --orbit 3" + nowhere, "exclude each other");
+  for (const char* wrong :
+       {"a", "a=1", "a=1..", "=0..1", "a=0..nan", "a=0..inf", "0..1", "a=0,1..2"})
+    refused(none, ball + "--animate " + wrong + " --frames 3" + nowhere, "must be as a=0..1");
+  refused(none, "--formula 'x^2 + y^2 + z^2 - 1' --animate c=0..1 --frames 3" + nowhere, "--set");
+  refused(none, ball + "--animate a=-2..-1 --frames 3" + nowhere, "picture 0 of 3: no surface");
 }
 
 TEST_CASE("graze-render: an interrupted orbit leaves whole pictures", "[unit]") {

@@ -115,9 +115,10 @@ std::vector<light> headlight(const camera& view);
 ball surface_extent(const scene& s);
 
 /// The camera as the scene and `asked`, which goes before, ask for: changed from the scene's own, or
-/// fitted to the surface where it has none. Where the camera turns and the scene has chosen no lights,
+/// fitted to `shown` where it has none, or without that to the surface. Where the camera turns and the scene has chosen no lights,
 /// they become a headlight (scene::lit). Gives what orbits turn.
-expected<framed_camera> settle_view(scene& s, const framing& asked);
+expected<framed_camera> settle_view(scene& s, const framing& asked,
+                                    const std::optional<ball>& shown = {});
 
 /// Whether something can be seen in a domain: it is not empty, and finite.
 support::status check_domain(const octree::box& domain);

@@ -40,6 +40,8 @@ struct ball {
 };
 /// The smallest about the box's middle, but for rounding.
 ball ball_about(const octree::box& b);
+/// The smallest about both, but for rounding.
+ball ball_about(const ball& a, const ball& b);
 
 /// The camera that shows the ball, as asked for. Without more: from the direction of the six scenes'
 /// camera, azimuth 26.57 and elevation 16.60 about y, looking at the middle, with their angle, from as
