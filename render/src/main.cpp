@@ -146,6 +146,9 @@ nlohmann::ordered_json counts_of(const tally& c) {
           {"hits", c.hits},
           {"misses", c.misses},
           {"undecided", c.undecided},
+          {"poles", c.poles},
+          {"jumps", c.jumps},
+          {"gaps", c.gaps},
           {"rays", c.rays()},
           {"shadow_rays", c.shadow_rays},
           {"reflected_rays", c.reflected_rays},
@@ -202,11 +205,16 @@ void print_summary(const request& r, const scene& s, int frame, int frames, cons
     print("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
     return;
   }
-  print("{} {}x{} {}: {} rays in {:.2f} s, {}rays/s, {} hits, {} misses, {} undecided, "
+  std::string breaks; // few formulas have any
+  for (const auto& [count, name] :
+       {std::pair{c.poles, "poles"}, std::pair{c.jumps, "jumps"}, std::pair{c.gaps, "gaps"}})
+    if (count != 0)
+      breaks += fmt::format("{} {}, ", count, name);
+  print("{} {}x{} {}: {} rays in {:.2f} s, {}rays/s, {} hits, {} misses, {}{} undecided, "
         "{:.1f} {} a ray; {}{}\n",
         shown(s.name), result.whole.width, result.whole.height,
         descends ? fmt::format("NL {}", r.settings.levels) : by_name, c.rays(), result.seconds,
-        three_digits(rate), c.hits, c.misses, c.undecided, c.octants_a_ray(),
+        three_digits(rate), c.hits, c.misses, breaks, c.undecided, c.octants_a_ray(),
         descends ? "octants" : "steps",
         descends ? fmt::format("octree of {} leaves in {:.2f} s; ", surface.octree_leaves(),
                                octree_seconds)
@@ -232,9 +240,9 @@ int render_to_files(const request& r, const task& t) {
   expected<std::unique_ptr<caster>> surface = unexpected{""};
   double octree_seconds = 0;
   progress_line line("pixels", r.progress);
-  const settings loop = {chosen.size, static_cast<unsigned>(r.threads),
-                         chosen.mode, side_of(chosen.spp),
-                         chosen.crop, *format_of(r.output) != file_format::png};
+  const settings loop = {
+      chosen.size, static_cast<unsigned>(r.threads),         chosen.mode,     side_of(chosen.spp),
+      chosen.crop, *format_of(r.output) != file_format::png, chosen.show_gaps};
   const int frames = static_cast<int>(t.files.size());
   for (int i = 0; i < frames; ++i) {
     const std::string& file = t.files[static_cast<std::size_t>(i)];
@@ -318,7 +326,10 @@ void declare(CLI::App& app, request& r) {
                                   "Rays a pixel, a square number up to 256; verdicts and layers\n"
                                   "are those of the pixel's centre")
                        ->capture_default_str();
-  for (CLI::Option* other : {mode, method, levels, octree_level, size, crop, spp})
+  const auto show_gaps = app.add_flag(
+      "--show-gaps", r.settings.show_gaps,
+      "Orange where a ray meets no surface, but a pole, a jump or a gap of the formula");
+  for (CLI::Option* other : {mode, method, levels, octree_level, size, crop, spp, show_gaps})
     again->excludes(other);
   for (CLI::Option* other : r.view.declare(app))
     again->excludes(other);

@@ -32,7 +32,7 @@ public:
   worker(const scene& s, const caster& surface, const settings& chosen, rendering& target,
          const std::atomic<bool>* stop)
       : scene_(s), surface_(surface, stop), settings_(chosen), target_(target),
-        shader_(s, surface_, chosen.mode), place_(target.part) {}
+        shader_(s, surface_, chosen), place_(target.part) {}
 
   /// `place` is relative to the rendering's part. False, and nothing is left of it, if the work was
   /// stopped.
@@ -88,6 +88,10 @@ private:
     counts_.pixels += sums_.size();
   }
 
+  [[nodiscard]] bool sees_background(octree::verdict v) const {
+    return octree::is_free(v) && (v == octree::verdict::miss || !settings_.show_gaps);
+  }
+
   /// Casts ray (i, j) of side^2 of every pixel.
   void cast(int side, int i, int j, bool centre) {
     const window& part = target_.part;
@@ -125,10 +129,19 @@ private:
       const double unit = std::sqrt(detail::dot(d, d));
       constexpr float infinity = std::numeric_limits<float>::infinity();
       float& depth = target_.pixels[at(k)].depth;
+      depth = infinity;
       switch (h.outcome) {
       case octree::verdict::miss:
         ++counts_.misses;
-        depth = infinity;
+        break;
+      case octree::verdict::pole:
+        ++counts_.poles;
+        break;
+      case octree::verdict::jump:
+        ++counts_.jumps;
+        break;
+      case octree::verdict::gap:
+        ++counts_.gaps;
         break;
       case octree::verdict::undecided:
         ++counts_.undecided;
@@ -145,7 +158,7 @@ private:
       f.verdict = static_cast<int>(h.outcome);
       f.proven = proofs_[k];
       f.steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(steps_[k], ~std::uint32_t{0}));
-      if (h.outcome == octree::verdict::miss)
+      if (is_free(h.outcome))
         continue;
       // sqrt and products: 4 roundings, so 2^-24 more than covers them
       f.depth_width =
@@ -216,6 +229,9 @@ tally& tally::operator+=(const tally& part) {
   hits += part.hits;
   misses += part.misses;
   undecided += part.undecided;
+  poles += part.poles;
+  jumps += part.jumps;
+  gaps += part.gaps;
   camera_rays += part.camera_rays;
   shadow_rays += part.shadow_rays;
   reflected_rays += part.reflected_rays;

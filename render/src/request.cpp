@@ -104,6 +104,8 @@ std::string picture_settings::text() const {
       {"spp", spp}};
   if (crop)
     j["crop"] = {crop->column, crop->row, crop->size.width, crop->size.height};
+  if (show_gaps)
+    j["show_gaps"] = true;
   return j.dump();
 }
 
@@ -133,6 +135,7 @@ expected<picture_settings> picture_settings::parse(std::string_view text) {
       const nlohmann::json& c = j.at("crop");
       s.crop = window{number(c.at(0)), number(c.at(1)), {number(c.at(2)), number(c.at(3))}};
     }
+    s.show_gaps = j.value("show_gaps", false);
     if (!whole)
       return unexpected{"its settings hold a number that is not whole, or too large"};
     if (const support::status may = s.check(); !may)

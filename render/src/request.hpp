@@ -16,6 +16,7 @@ struct picture_settings {
   extent size = 512;
   std::optional<window> crop;
   int spp = 1;
+  bool show_gaps = false;
 
   /// Whether a picture can be made so.
   [[nodiscard]] support::status check() const;

@@ -76,6 +76,11 @@ void shader::sort(std::span<const octree::ray> rays, std::span<const octree::sur
     case verdict::miss:
       add(colours[pixels[i]], weights[i], scene_.background);
       break;
+    case verdict::pole:
+    case verdict::jump:
+    case verdict::gap:
+      add(colours[pixels[i]], weights[i], behind_gaps_);
+      break;
     case verdict::undecided:
       add(colours[pixels[i]], weights[i], undecided_colour);
       break;
@@ -132,7 +137,7 @@ void shader::find_shadows(tally& counts) {
       const octree::surface_hit& h = hits_[k];
       if (h.outcome == verdict::hit && h.t_far < 1)
         seen_[pixels_[k]].shadowed |= std::uint64_t{1} << l;
-      else if (h.outcome != verdict::miss && h.t_near <= 1)
+      else if (!is_free(h.outcome) && h.t_near <= 1)
         ++counts.secondary_undecided;
     }
   }

@@ -28,8 +28,9 @@ private:
 /// What becomes of a ray depends on nothing but the ray. One a thread: it keeps its buffers.
 class shader {
 public:
-  shader(const scene& s, interruptible_caster& surface, mode m)
-      : scene_(s), surface_(surface), mode_(m) {}
+  shader(const scene& s, interruptible_caster& surface, const settings& chosen)
+      : scene_(s), surface_(surface), mode_(chosen.mode),
+        behind_gaps_(chosen.show_gaps ? gap_colour : s.background) {}
 
   /// The colours of what the rays see, given their first hits. As many of each.
   void look(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
@@ -59,6 +60,7 @@ private:
   const scene& scene_;
   interruptible_caster& surface_;
   mode mode_;
+  colour behind_gaps_; ///< what is seen along rays that end in a pole, a jump or a gap
   std::vector<seen> seen_;
   // Of the batch that is followed.
   std::vector<octree::ray> rays_;
@@ -67,9 +69,6 @@ private:
   std::vector<double> weights_;
   std::vector<departure> departures_;
 };
-
-/// Whether the ray sees what is behind the surface.
-inline bool sees_background(octree::verdict v) { return v == octree::verdict::miss; }
 
 /// o + t d, rounded.
 inline vec3 point_at(const octree::ray& r, double t) {

@@ -15,4 +15,8 @@ std::optional<certified_hit> at_polynomial(const tape::program& f, const ray& r,
 std::optional<certified_hit> at_gaps(const tape::program& f, const ray& r, const box& domain,
                                      const certified_hit& found);
 
+/// Where f is exactly 0 at the point at which the ray enters or leaves the domain.
+std::optional<certified_hit> at_face(const tape::program& f, const ray& r, const box& domain,
+                                     const certified_hit& found);
+
 } // namespace graze::octree::closer_look

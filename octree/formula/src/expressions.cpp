@@ -1,6 +1,8 @@
 // Sums of monomials over shared nodes: how they are made, and how they become nodes.
 #include "expressions.hpp"
 
+#include "exact_polynomial.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,38 +13,60 @@
 namespace graze::octree::tape {
 namespace {
 
-using o = operations<number>;
+using interval = number::interval;
+using o = operations<interval>;
 
 bool is_exact(const number& x) { return x.lower() == x.upper(); }
 bool is_exactly(const number& x, double value) { return x.lower() == value && x.upper() == value; }
-bool is_bounded(const number& x) { return to_bounds(x).is_common(); }
+bool is_bounded(const number& x) { return to_bounds(x.enclosure()).is_common(); }
+bool is_empty(const number& x) { return to_bounds(x.enclosure()).is_empty(); }
+bool is_continuous_at(opcode op, const number& x, const number& y, std::int32_t n) {
+  return continuous_everywhere(op, n) ||
+         continuous_on(op, to_bounds(x.enclosure()), to_bounds(y.enclosure()), n);
+}
 bool excludes_zero(const number& x) { return x.lower() > 0 || x.upper() < 0; }
 
+/// Its enclosure is graze::pown's; known where that needs few bits.
+number power_of(const number& x, std::int32_t n) {
+  const number rounded(o::pown(x.enclosure(), n));
+  const auto exact = x.exact();
+  if (rounded.is_known() || !exact || (n < 0 && exact->is_zero()))
+    return rounded;
+  const auto size = static_cast<std::uint64_t>(std::abs(n));
+  const integer above = numerator_of(*exact), below = denominator_of(*exact);
+  if (std::max(bits_of(above), bits_of(below)) * size > number::most_bits)
+    return rounded;
+  const auto exponent = static_cast<unsigned>(size);
+  const rational power(pow(above, exponent), pow(below, exponent));
+  return number(n < 0 ? rational(1 / power) : power);
+}
+
 std::optional<number> folded(opcode op, const number& x, const number& y) {
+  const interval &a = x.enclosure(), &b = y.enclosure();
   switch (op) {
   case opcode::recip:
-    return o::recip(x);
+    return number(1.0) / x;
   case opcode::div:
-    return o::div(x, y);
+    return x / y;
   case opcode::sqr:
-    return graze::sqr(x);
+    return power_of(x, 2);
   case opcode::sqrt:
-    return o::sqrt(x);
+    return number(o::sqrt(a));
   case opcode::abs:
-    return o::abs(x);
+    return x.lower() >= 0 ? x : x.upper() <= 0 ? -x : number(o::abs(a));
   case opcode::min:
-    return o::min(x, y);
+    return number(o::min(a, b));
   case opcode::max:
-    return o::max(x, y);
+    return number(o::max(a, b));
   case opcode::pow:
-    return o::pow(x, y);
+    return number(o::pow(a, b));
   case opcode::hypot:
-    return o::hypot(x, y);
+    return number(o::hypot(a, b));
   case opcode::atan2:
-    return o::atan2(x, y);
+    return number(o::atan2(a, b));
 #define GRAZE_TAPE_FOLD(name)                                                                      \
   case opcode::name:                                                                               \
-    return o::name(x);
+    return number(o::name(a));
     GRAZE_TAPE_FUNCTIONS(GRAZE_TAPE_FOLD)
 #undef GRAZE_TAPE_FOLD
   default:
@@ -212,7 +236,7 @@ expressions::result expressions::div(const sum_form& f, const sum_form& g) {
       if (const auto d = as_constant(f))
         return binary(opcode::div, f, g);
       // f / c = (1/c) f rounds 1/c; a power of two has an exact reciprocal
-      const number inverse = o::recip(*c);
+      const number inverse = number(1.0) / *c;
       if (!is_bounded(inverse))
         return refuse("the reciprocal of a constant overflows");
       return scaled(f, inverse);
@@ -228,11 +252,10 @@ expressions::result expressions::integer_power(const sum_form& f, std::int64_t n
     return refuse("the exponent is too large");
   const auto exponent = static_cast<std::int32_t>(n);
   if (const auto c = as_constant(f)) {
-    const number value = o::pown(*c, exponent);
-    if (to_bounds(value).is_empty())
+    const number value = power_of(*c, exponent);
+    if (is_empty(value))
       return refuse("0 has no negative powers");
-    if (is_bounded(value) && (continuous_everywhere(opcode::pown, exponent) ||
-                              continuous_on(opcode::pown, to_bounds(*c), to_bounds(*c), exponent)))
+    if (is_bounded(value) && is_continuous_at(opcode::pown, *c, *c, exponent))
       return constant(value);
     if (!is_bounded(value) && n > 0)
       return refuse("the power overflows");
@@ -248,7 +271,7 @@ expressions::result expressions::integer_power(const sum_form& f, std::int64_t n
     return of_node(exponent == -1 ? intern(opcode::recip, base)
                                   : intern(opcode::pown, base, 0, exponent));
   }
-  const number coefficient = single ? o::pown(f.begin()->second, exponent) : number(1.0);
+  const number coefficient = single ? power_of(f.begin()->second, exponent) : number(1.0);
   if (!is_bounded(coefficient))
     return refuse("the power of a constant overflows");
   monomial m;
@@ -269,7 +292,7 @@ expressions::result expressions::integer_power(const sum_form& f, std::int64_t n
 
 expressions::result expressions::power(const sum_form& f, const sum_form& g) {
   const auto c = as_constant(g);
-  if (c && mag(*c) > most_exponent)
+  if (c && mag(c->enclosure()) > most_exponent)
     return refuse("the exponent is too large");
   if (c && is_exact(*c)) {
     const double n = c->lower();
@@ -290,11 +313,10 @@ expressions::result expressions::root(const sum_form& f, std::int64_t n) {
     return unary(opcode::sqrt, f);
   const auto order = static_cast<std::int32_t>(n);
   if (const auto c = as_constant(f)) {
-    const number value = o::rootn(*c, order);
-    if (to_bounds(value).is_empty())
+    const number value(o::rootn(c->enclosure(), order));
+    if (is_empty(value))
       return refuse("the root of this constant is not defined");
-    if (is_bounded(value) && (continuous_everywhere(opcode::rootn, order) ||
-                              continuous_on(opcode::rootn, to_bounds(*c), to_bounds(*c), order)))
+    if (is_bounded(value) && is_continuous_at(opcode::rootn, *c, *c, order))
       return constant(value);
   }
   return of_node(intern(opcode::rootn, emit(f), 0, order));
@@ -303,10 +325,9 @@ expressions::result expressions::root(const sum_form& f, std::int64_t n) {
 expressions::result expressions::unary(opcode op, const sum_form& f) {
   if (const auto c = as_constant(f)) {
     const auto value = folded(op, *c, *c);
-    if (!value || to_bounds(*value).is_empty())
+    if (!value || is_empty(*value))
       return refuse("the function is not defined at this constant");
-    if (is_bounded(*value) &&
-        (continuous_everywhere(op, 0) || continuous_on(op, to_bounds(*c), to_bounds(*c), 0)))
+    if (is_bounded(*value) && is_continuous_at(op, *c, *c, 0))
       return constant(*value);
     if (!is_bounded(*value) && is_exact(*c))
       return refuse("the function overflows at this constant");
@@ -320,10 +341,9 @@ expressions::result expressions::binary(opcode op, const sum_form& f, const sum_
   const auto c = as_constant(f), d = as_constant(g);
   if (c && d) {
     const auto value = folded(op, *c, *d);
-    if (!value || to_bounds(*value).is_empty())
+    if (!value || is_empty(*value))
       return refuse("the function is not defined at these constants");
-    if (is_bounded(*value) &&
-        (continuous_everywhere(op, 0) || continuous_on(op, to_bounds(*c), to_bounds(*d), 0)))
+    if (is_bounded(*value) && is_continuous_at(op, *c, *d, 0))
       return constant(*value);
     if (!is_bounded(*value) && is_exact(*c) && is_exact(*d))
       return refuse("the function overflows at these constants");
@@ -375,13 +395,20 @@ node expressions::intern(opcode op, node a, node b, std::int32_t n) {
 }
 
 std::int32_t expressions::constant_index(const number& value) {
-  const double lo = value.lower(), hi = value.upper();
+  const double lo = value.lower() + 0.0, hi = value.upper() + 0.0;
+  const auto exact = lo < hi ? value.exact() : std::nullopt;
   const auto [at, is_new] = known_constants_.try_emplace(
-      {std::bit_cast<std::uint64_t>(lo + 0.0), std::bit_cast<std::uint64_t>(hi + 0.0)},
+      {std::bit_cast<std::uint64_t>(lo), std::bit_cast<std::uint64_t>(hi),
+       exact ? numerator_of(*exact) : integer(0), exact ? denominator_of(*exact) : integer(0)},
       static_cast<std::int32_t>(program_.constants.size()));
   if (is_new)
-    program_.constants.push_back({lo + 0.0, hi + 0.0, mid(value)});
+    add_constant(value);
   return at->second;
+}
+
+void expressions::add_constant(const number& value) {
+  program_.constants.push_back({value.lower() + 0.0, value.upper() + 0.0, mid(value.enclosure())});
+  constants_.push_back(value);
 }
 
 node expressions::product_with(node n, const number& coefficient) {
@@ -417,7 +444,7 @@ std::uint32_t expressions::store(const std::vector<number>& coefficients,
                                   static_cast<std::uint32_t>(program_.turns.size()), 0,
                                   derivative});
   for (const number& c : coefficients)
-    program_.constants.push_back({c.lower() + 0.0, c.upper() + 0.0, mid(c)});
+    add_constant(c);
   return index;
 }
 
@@ -635,6 +662,7 @@ std::optional<program> expressions::compile(const sum_form& f) {
   }
   p.result = place[root];
   p.tight = tight[root];
+  p.exact = exact_polynomial_of(p, constants_);
   return std::move(program_);
 }
 

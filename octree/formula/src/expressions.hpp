@@ -4,8 +4,9 @@
 /// A rewriting is allowed only if it leaves f the same function: the same real values, defined at
 /// the same points. So nothing that may be undefined somewhere is cancelled or multiplied by 0
 /// away, and no quotient is reduced.
+#include "exact_number.hpp"
+
 #include <compare>
-#include <graze/interval.hpp>
 #include <graze/octree_formula/tape.hpp>
 #include <map>
 #include <optional>
@@ -15,7 +16,6 @@
 
 namespace graze::octree::tape {
 
-using number = graze::interval<>;
 using node = std::uint32_t;
 
 /// base^exponent, exponent > 0.
@@ -26,8 +26,8 @@ struct factor {
 };
 /// A product of powers, ascending by base; empty for 1.
 using monomial = std::vector<factor>;
-/// The sum of coefficient * monomial; a coefficient encloses a real number, is bounded, and is
-/// never [0, 0] but where the monomial may be undefined. Empty for 0.
+/// The sum of coefficient * monomial; a coefficient is bounded, and is never 0 for sure but where the
+/// monomial may be undefined. Empty for 0.
 using sum_form = std::map<monomial, number>;
 
 class expressions {
@@ -87,6 +87,7 @@ private:
 
   node intern(opcode op, node a = 0, node b = 0, std::int32_t n = 0);
   std::int32_t constant_index(const number& value);
+  void add_constant(const number& value);
   node constant_node(const number& value) {
     return intern(opcode::constant, 0, 0, constant_index(value));
   }
@@ -102,11 +103,14 @@ private:
   std::vector<operation> nodes_;
   std::vector<bool> continuous_; ///< the node, with all that it is made of, is so everywhere
   std::map<operation, node> known_;
-  std::map<std::pair<std::uint64_t, std::uint64_t>, std::int32_t> known_constants_;
+  /// By their bounds, and by what they are between these: 0 / 0 where that is not known.
+  std::map<std::tuple<std::uint64_t, std::uint64_t, integer, integer>, std::int32_t>
+      known_constants_;
   /// By the base and the constants' indices.
   std::map<std::pair<node, std::vector<std::int32_t>>, node> known_polynomials_;
   std::map<node, std::string> notes_;
   program program_;
+  std::vector<number> constants_; ///< the program's
   int polynomials_left_ = 64; ///< for which turns are still looked for: it takes up to 10 ms each
   std::string reason_;
 };

@@ -19,6 +19,7 @@ namespace {
 
 using tape::built_in_name;
 using tape::condition;
+using tape::exact_literal;
 using tape::expressions;
 using tape::mark;
 using tape::number;
@@ -450,7 +451,7 @@ private:
 
   static number literal_value(const std::string& decimal) {
     const auto value = text_to_interval("[" + decimal + "]");
-    return {value.value.lo, value.value.hi};
+    return {{value.value.lo, value.value.hi}, exact_literal(decimal)};
   }
   result literal() {
     const auto [unused, first, last] = at_.here();
@@ -470,7 +471,9 @@ private:
     if (!value.value.is_common())
       return refuse(first, "the number is too large for a double");
     at_.step();
-    return item{expressions::constant(number(value.value.lo, value.value.hi)), nullptr};
+    return item{
+        expressions::constant(number({value.value.lo, value.value.hi}, exact_literal(digits))),
+        nullptr};
   }
 
   result named() {

@@ -26,7 +26,25 @@ public:
   }
 
   /// The ray lies in the surface.
-  [[nodiscard]] bool everywhere() const { return everywhere_; }
+  [[nodiscard]] bool everywhere() const { return everywhere_ && range_; }
+  /// Where the ray enters the domain, if it does.
+  [[nodiscard]] const mpq_class& entry() const { return range_->first; }
+  /// There is a multiple root in [lo, hi].
+  [[nodiscard]] bool multiple(double lo, double hi) const {
+    using graze::oracle::polynomial;
+    for (const auto& g : counters_) {
+      polynomial repeated;
+      for (std::size_t i = g.repeated().size(); i-- > 0;)
+        repeated = repeated * polynomial::along(0, 1) + polynomial(mpq_class(g.repeated()[i]));
+      if (repeated.degree() < 1)
+        continue;
+      roots_along of_it = *this;
+      of_it.counters_ = {graze::oracle::root_counter(repeated)};
+      if (of_it.within(lo, hi) != 0)
+        return true;
+    }
+    return false;
+  }
   [[nodiscard]] int all() const { return range_ ? between(range_->first, range_->second) : 0; }
   /// With t < x, with x <= t, and with lo <= t <= hi; x may be infinite.
   [[nodiscard]] int before(double x) const { return all() - from(x); }
@@ -69,8 +87,12 @@ std::string untruth(const F& f, const graze::octree::ray& r, const graze::octree
                     const graze::octree::certified_hit& h) {
   using graze::octree::verdict;
   const roots_along roots(f, r, domain);
-  if (roots.everywhere())
+  if (roots.everywhere()) {
+    if (h.outcome == verdict::hit && !h.unique && h.t_near <= roots.entry() &&
+        roots.entry() <= h.t_far)
+      return "";
     return h.outcome == verdict::undecided ? "" : "the ray lies in the surface";
+  }
   if (h.outcome == verdict::miss)
     return roots.all() == 0 ? "" : "a root, reported as a miss";
   if (!(h.t_near <= h.t_far))
@@ -84,6 +106,8 @@ std::string untruth(const F& f, const graze::octree::ray& r, const graze::octree
     return "no root in the enclosure of a hit";
   if (h.unique && inside != 1 && !std::is_same_v<F, graze::octree::spheres>)
     return "several roots in an enclosure said to have one";
+  if (h.unique && roots.multiple(h.t_near, h.t_far))
+    return "a multiple root that is said to be simple";
   return "";
 }
 

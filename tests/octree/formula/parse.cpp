@@ -140,8 +140,14 @@ TEST_CASE("octree.formula: a number that is no double is enclosed by its neighbo
     const auto v = enclosure(text);
     CHECK(v.lower() == v.upper());
   }
-  CHECK(enclosure("0.1+0.2-0.3").lower() < 0);
-  CHECK(enclosure("0.1+0.2-0.3").upper() > 0);
+  // decimals are the numbers that are written, in sums, products, quotients and powers as well
+  for (const char* text :
+       {"0.1+0.2-0.3", "0.1*3-0.3", "1/3*3-1", "0.1^20*1e20-1", "1e-300*1e300-1"}) {
+    INFO(text);
+    CHECK(enclosure(text).lower() == 0);
+    CHECK(enclosure(text).upper() == 0);
+  }
+  CHECK(enclosure("0.1+0.2-0.3+1e-300").lower() > 0);
   // the real number 59/5 less 3 * 25/4
   CHECK(enclosure("11.8-3*6.25").lower() <= -6.95);
 }

@@ -87,7 +87,11 @@ public:
   [[nodiscard]] const tape::program& program() const { return *program_; }
 
   /// What certified_search leaves open along a ray in the domain, decided where that can be: where f is
-  /// a polynomial, and where it has no zero but jumps, has a pole, or ends.
+  /// a polynomial; where it has no zero but jumps, has a pole, or ends (verdict.hpp); and where it is
+  /// exactly 0 on a face of the domain. A polynomial's coefficients are the numbers that are written,
+  /// rational (pi is not), its degree is 64 at most, and its roots are found whatever their order and
+  /// however near to each other they are; what takes more than some milliseconds is left open.
+  /// Within no scope.
   [[nodiscard]] certified_hit look_closer(const ray& r, const box& domain,
                                           const certified_hit& found) const;
 

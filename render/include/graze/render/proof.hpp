@@ -57,7 +57,7 @@ template <octree::Surface F, rounding::Backend B>
 [[nodiscard]] proof prove(const F& f, const octree::ray& r, const octree::surface_hit& hit) {
   proof p;
   p.depth_lower = p.depth_upper = std::numeric_limits<double>::infinity();
-  if (hit.outcome != octree::verdict::hit && hit.outcome != octree::verdict::undecided)
+  if (octree::is_free(hit.outcome))
     return p;
   double least = 0, most = 0; // of the direction's square
   for (const double d : r.direction()) {

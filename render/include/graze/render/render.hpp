@@ -45,11 +45,13 @@ struct settings {
   int sampling = 1;
   std::optional<window> crop{}; ///< within the picture; the rest is not rendered
   bool facts = false;           ///< fill rendering::facts
+  bool show_gaps = false;       ///< rays that end in a pole, a jump or a gap have gap_colour
 };
 
 /// Counts over the pixels' centres, and over what else was cast.
 struct tally {
   std::uint64_t pixels = 0, hits = 0, misses = 0, undecided = 0;
+  std::uint64_t poles = 0, jumps = 0, gaps = 0; ///< free of roots too, and no `misses`
   std::uint64_t camera_rays = 0, shadow_rays = 0, reflected_rays = 0;
   /// Shadow rays and reflected rays that ended undecided, or were not cast since no departure was
   /// proven.
@@ -69,7 +71,7 @@ struct tally {
 /// What is seen at one pixel.
 struct pixel {
   std::array<float, 3> colour; ///< linear; of a transparent scene times `alpha`
-  float depth;                 ///< from the eye, in scene length; infinity where nothing was hit
+  float depth;                 ///< from the eye, in scene length; infinity where there is no root
   float alpha = 1; ///< the part of the pixel's rays that do not see a transparent background
 };
 
@@ -99,7 +101,8 @@ using progress_report = std::function<void(std::uint64_t, std::uint64_t, double)
 
 /// Renders the picture. A hit is lit at the middle of its enclosure of t; a pixel whose ray is
 /// undecided has undecided_colour and the depth of its t_near; a reflected ray that is undecided
-/// brings undecided_colour, a shadow ray no shadow. Where `stop` becomes true, tiles not yet begun
+/// brings undecided_colour, a shadow ray no shadow. A ray that ends in a pole, a jump or a gap sees
+/// the background, as a miss does, or gap_colour. Where `stop` becomes true, tiles not yet begun
 /// stay unfinished_colour.
 rendering render_picture(const scene& s, const caster& surface, const settings& chosen,
                          const std::atomic<bool>* stop = nullptr,

@@ -43,6 +43,8 @@ expected<colour> colour_from(std::string_view text);
 inline constexpr colour default_background = {0.84, 0.87, 0.91};
 /// A pixel whose ray could be neither shown to hit nor to miss.
 inline constexpr colour undecided_colour = {1, 0, 1};
+/// Where it is asked for: a pixel whose ray meets no root, but a pole, a jump or a gap.
+inline constexpr colour gap_colour = {1, 0.5, 0};
 /// A pixel whose ray was not cast, since the picture was interrupted.
 inline constexpr colour unfinished_colour = {0, 0, 0};
 

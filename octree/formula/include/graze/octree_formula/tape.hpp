@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,9 @@ struct note {
   std::string text;
 };
 
+/// f as a polynomial with rational coefficients: what a closer look is taken at.
+struct exact_polynomial;
+
 /// A tape with all that it refers to.
 struct program {
   static constexpr unsigned most_registers = 128;
@@ -118,6 +122,8 @@ struct program {
   bool continuous = true;
   /// Its natural interval extension is its range but for rounding.
   bool tight = true;
+  /// Where f is a polynomial whose coefficients are rational and known, and which is not too large.
+  std::shared_ptr<const exact_polynomial> exact;
   std::string text;                    ///< of which it was compiled
   std::vector<std::string> parameters; ///< those that it uses
   std::vector<note> notes;

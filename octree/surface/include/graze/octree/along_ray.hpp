@@ -76,12 +76,7 @@ public:
   [[nodiscard]] int sign_throughout(double first, double last) const {
     if (!std::isfinite(last))
       return 0;
-    using d = dual<interval, 1>;
-    const bound3<B> x = points(first, last);
-    std::array<d, 3> moving;
-    for (int a = 0; a < 3; ++a)
-      moving[a] = {x[a], {interval(ray_.direction()[a])}};
-    const d g = f_(moving[0], moving[1], moving[2]);
+    const dual<interval, 1> g = with_slope(first, last);
     if (const int sign = certified_sign(g.value); sign != 0)
       return sign;
     const double middle = detail::centre<scalar_path<B>>(first, last);
@@ -90,7 +85,21 @@ public:
     return certified_sign(at_middle + g.partial[0] * offset);
   }
 
+  /// Proven: g is strictly monotone on [first, last].
+  [[nodiscard]] bool is_monotone(double first, double last) const {
+    return std::isfinite(last) && excludes_zero(with_slope(first, last).partial[0]);
+  }
+
 private:
+  /// Encloses g and its derivative on [first, last].
+  [[nodiscard]] dual<interval, 1> with_slope(double first, double last) const {
+    using d = dual<interval, 1>;
+    const bound3<B> x = points(first, last);
+    std::array<d, 3> moving;
+    for (int a = 0; a < 3; ++a)
+      moving[a] = {x[a], {interval(ray_.direction()[a])}};
+    return f_(moving[0], moving[1], moving[2]);
+  }
   // Bounds of (plane - o) / d. The difference may overflow, to an infinite, still valid, bound.
   static double time_down(double plane, double o, double d) {
     return B::div_down(d > 0 ? B::sub_down(plane, o) : B::sub_up(plane, o), d);

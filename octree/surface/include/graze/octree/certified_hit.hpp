@@ -27,9 +27,11 @@ namespace graze::octree {
 /// How a ray ends, in units of its own parameter t.
 ///   hit        a root is proven, and the first one lies in [t_near, t_far]. `unique`: it is the
 ///              only one there, and simple. Else roots beside each other could not be told apart,
-///              or one root that is not simple lies there.
+///              or one root that is not simple lies there (of even order: the ray is tangent), or the ray
+///              lies in the surface from there on.
 ///   miss       proven: no root. t_near and t_far are infinite.
 ///   undecided  the first root, if there is one, lies in [t_near, t_far].
+///   pole, jump, gap  as a miss: no root. [t_near, t_far] encloses the first break (verdict.hpp).
 struct certified_hit {
   verdict outcome;
   bool unique;
@@ -213,7 +215,9 @@ public:
     const unsigned precise =
         L::less_equal(L::mul_up(c_magnitude, L::sub_up(slope_hi, slope_lo)),
                       L::mul_up(L::sub_up(at_c_hi, at_c_lo), steepness_at_least));
-    const unsigned converged = proven & (precise | ~shorter);
+    // at an end of X, where N may be about as wide as X whatever the errors, that says nothing
+    const unsigned at_end = unknown & (c_positive | c_negative);
+    const unsigned converged = proven & (precise | ~(shorter | at_end));
     const unsigned inside =
         L::less_equal(L::load(entry_up_), a) & L::less_equal(b, L::load(exit_down_));
 
@@ -290,6 +294,10 @@ public:
     return {verdict::miss, false, infinity, infinity};
   }
   [[nodiscard]] GRAZE_BATCH_INLINE unsigned active() const { return active_; }
+  /// There is an X in which a zero could neither be proven nor excluded.
+  [[nodiscard]] GRAZE_BATCH_INLINE bool left_open(std::size_t lane) const {
+    return near_[lane] < infinity;
+  }
   [[nodiscard]] GRAZE_BATCH_INLINE double steps(std::size_t lane) const { return steps_[lane]; }
 
 private:
