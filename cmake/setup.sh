@@ -3,7 +3,7 @@
 graze_packages=(
   gcc g++ cmake ninja-build make
   libboost-dev libmpfr-dev libgmp-dev catch2 librapidcheck-dev libopenimageio-dev libpng-dev
-  libtbb-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev libxtensor-dev
+  libtbb-dev zlib1g-dev libminizip-dev libcli11-dev libfmt-dev nlohmann-json3-dev libbenchmark-dev libxtensor-dev
   clang-19 libclang-rt-19-dev clang-format-19
   coq libcoq-flocq ocaml-nox ocaml-findlib libzarith-ocaml-dev gappa
   python3 python3-venv python3-distributed python3-matplotlib python3-mpmath

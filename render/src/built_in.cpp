@@ -37,7 +37,10 @@ std::span<const scene> scenes() {
                      standard_lights(row.scale),
                      {{name, std::nullopt, {body_of(name)}}},
                      {},
-                     default_background});
+                     default_background,
+                     {},
+                     false,
+                     std::nullopt});
     });
     return all;
   }();

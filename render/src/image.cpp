@@ -21,7 +21,9 @@ expected<file_format> format_of(const std::filesystem::path& file) {
     return file_format::png;
   if (extension == ".exr")
     return file_format::exr;
-  return unexpected{fmt::format("'{}' ends in neither .png nor .exr", file.string())};
+  if (extension == ".npz")
+    return file_format::npz;
+  return unexpected{fmt::format("'{}' ends in none of .png, .exr, .npz", file.string())};
 }
 
 std::uint8_t srgb_byte(float linear) {
@@ -46,7 +48,15 @@ expected<std::vector<unsigned char>> encode(const picture& image, file_format fo
     whole = whole && (format == file_format::exr || image.find(name) != nullptr);
   if (!whole)
     return unexpected{"a picture lacks a channel, or a channel lacks pixels"};
-  return format == file_format::png ? encode_png(image) : encode_exr(image);
+  switch (format) {
+  case file_format::png:
+    return encode_png(image);
+  case file_format::exr:
+    return encode_exr(image);
+  case file_format::npz:
+    break;
+  }
+  return unexpected{"a picture is no NPZ file"};
 }
 
 } // namespace graze::render

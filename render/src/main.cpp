@@ -1,7 +1,9 @@
 // graze-render: a picture of an implicit surface, each ray with its verdict.
 #include "request.hpp"
 #include "scene_options.hpp"
+#include "view_options.hpp"
 
+#include <graze/render/arrays.hpp>
 #include <graze/render/picture_texts.hpp>
 #include <graze/render/scene_text.hpp>
 #include <graze/support/files.hpp>
@@ -20,10 +22,11 @@ constexpr int not_written = 1; ///< the picture, as --help says
 struct request {
   scene_options scene; ///< or the picture to be made again
   std::string again;
+  view_options view;
   std::string mode = "cast", method, size = "512", crop;
   picture_settings settings;
   int threads = 0;
-  std::string output;
+  std::string output; ///< or of several pictures their pattern
   bool progress = false;
   bool json = false;
 };
@@ -54,9 +57,42 @@ expected<scene> scene_of_picture(const std::string& file, picture_settings& sett
   return s;
 }
 
-/// The scene and, in r.settings, how it is rendered; or the reason why that cannot be done. Asked
-/// before any work.
-expected<scene> understand(request& r, formula_mark& where) {
+/// What is to be rendered: a scene, or several, each in its file. Of an orbit what it turns.
+struct task {
+  std::vector<scene> subjects; ///< of --animate one a picture, else one
+  framed_camera from;
+  std::vector<std::string> files; ///< one a picture
+};
+
+/// The scenes of --animate, or the scene; under one camera.
+status read_scenes(const request& r, int pictures, task& t, formula_mark& where) {
+  const bool animated = !r.view.animate.empty();
+  std::optional<ball> all;
+  for (int i = 0; i < (animated ? pictures : 1); ++i) {
+    scene_options options = r.scene;
+    if (animated)
+      options.set.push_back(r.view.value_of(i));
+    auto s = options.read(&where);
+    if (!s)
+      return unexpected{s.reason()};
+    t.subjects.push_back(*std::move(s));
+    if (const scene& last = t.subjects.back(); animated && last.fitted) {
+      const ball own = surface_extent(last);
+      all = all ? ball_about(*all, own) : own;
+    }
+  }
+  for (scene& s : t.subjects) {
+    const auto from = r.view.apply(s, all);
+    if (!from)
+      return unexpected{from.reason()};
+    t.from = *from;
+  }
+  return {};
+}
+
+/// What is rendered and, in r.settings, how; or the reason why that cannot be done. Asked before any
+/// work but that of finding the surface's extent.
+expected<task> understand(request& r, formula_mark& where) {
   if (r.scene.count() + int{!r.again.empty()} != 1)
     return unexpected{
         "exactly one of --scene, --formula, --again is needed (--help shows the options)"};
@@ -80,13 +116,29 @@ expected<scene> understand(request& r, formula_mark& where) {
   const auto format = format_of(r.output);
   if (!format)
     return unexpected{"the output " + format.reason()};
-  if (const status may = check_writable(r.output); !may)
-    return unexpected{may.reason()};
-  auto s = r.again.empty() ? r.scene.read(&where) : scene_of_picture(r.again, r.settings);
-  if (s)
-    if (const status may = prepare_to_encode(*format); !may)
+  const auto pictures = r.view.pictures();
+  if (!pictures)
+    return unexpected{pictures.reason()};
+  task t;
+  for (int i = 0; i < *pictures; ++i) {
+    auto file = *pictures == 1 ? r.output : frame_file(r.output, i);
+    if (!file)
+      return unexpected{file.reason()};
+    if (const status may = check_writable(*file); !may)
       return unexpected{may.reason()};
-  return s;
+    t.files.push_back(*std::move(file));
+  }
+  if (!r.again.empty()) {
+    auto s = scene_of_picture(r.again, r.settings);
+    if (!s)
+      return unexpected{s.reason()};
+    t.subjects.push_back(*std::move(s));
+  } else if (const status may = read_scenes(r, *pictures, t, where); !may) {
+    return unexpected{may.reason()};
+  }
+  if (const status may = prepare_to_encode(*format); !may)
+    return unexpected{may.reason()};
+  return t;
 }
 
 nlohmann::ordered_json counts_of(const tally& c) {
@@ -104,17 +156,28 @@ nlohmann::ordered_json counts_of(const tally& c) {
           {"longest_shift", c.longest_shift}};
 }
 
-/// Nothing of it depends on the time, the machine, or the number of threads.
-void describe(picture& image, const request& r, const scene& s, const rendering& result) {
-  image.metadata = {{"Software", software},
-                    {"graze:scene", text_of(s)},
-                    {"graze:settings", r.settings.text()},
-                    {"graze:counts", counts_of(result.counts).dump()},
-                    {"graze:complete", result.complete ? "yes" : "no"}};
+/// What a file tells of itself. Nothing of it depends on the time, the machine, or the number of
+/// threads.
+std::vector<std::pair<std::string, std::string>> description(const request& r, const scene& s,
+                                                             const rendering& result) {
+  return {{"Software", software},
+          {"graze:scene", text_of(s)},
+          {"graze:settings", r.settings.text()},
+          {"graze:counts", counts_of(result.counts).dump()},
+          {"graze:complete", result.complete ? "yes" : "no"}};
 }
 
-void print_summary(const request& r, const scene& s, const caster& surface, double octree_seconds,
-                   const rendering& result) {
+expected<std::vector<unsigned char>> bytes_of(const request& r, const scene& s,
+                                              const rendering& result, file_format format) {
+  if (format == file_format::npz)
+    return encode_npz(result, description(r, s, result));
+  picture image = to_picture(result, s.transparent);
+  image.metadata = description(r, s, result);
+  return encode(image, format);
+}
+
+void print_summary(const request& r, const scene& s, int frame, int frames, const std::string& file,
+                   const caster& surface, double octree_seconds, const rendering& result) {
   const tally& c = result.counts;
   const double rate = result.seconds > 0 ? static_cast<double>(c.rays()) / result.seconds : 0;
   const bool descends = r.settings.method == method::descent;
@@ -129,8 +192,10 @@ void print_summary(const request& r, const scene& s, const caster& surface, doub
                                    {"width", result.whole.width},
                                    {"height", result.whole.height},
                                    {"threads", r.threads},
-                                   {"output", r.output},
+                                   {"output", file},
                                    {"complete", result.complete}};
+    if (frames > 1)
+      line.update({{"frame", frame}, {"frames", frames}});
     line.update(counts_of(c));
     line.update({{"octants_per_ray", c.octants_a_ray()},
                  {"octree_leaves", surface.octree_leaves()},
@@ -154,47 +219,76 @@ void print_summary(const request& r, const scene& s, const caster& surface, doub
         descends ? fmt::format("octree of {} leaves in {:.2f} s; ", surface.octree_leaves(),
                                octree_seconds)
                  : "",
-        shown(r.output, 1000));
+        shown(file, 1000));
 }
 
-int render_to_file(const request& r, const scene& s) {
-  const picture_settings& chosen = r.settings;
-  const file_format format = *format_of(r.output);
-  const auto start = std::chrono::steady_clock::now();
-  auto surface =
-      prepare(s, std::min(chosen.octree_level, chosen.levels), chosen.levels, chosen.method);
-  if (!surface)
-    return bad_input(surface.reason());
-  const double octree_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+/// The picture into its file.
+status write_picture(const request& r, const scene& s, const rendering& result,
+                     const std::string& file) {
+  const auto bytes = bytes_of(r, s, result, *format_of(file));
+  if (!bytes)
+    return unexpected{bytes.reason()};
+  return write_atomically(file, *bytes);
+}
 
+int render_to_files(const request& r, const task& t) {
+  const picture_settings& chosen = r.settings;
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds_so_far = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  expected<std::unique_ptr<caster>> surface = unexpected{""};
+  double octree_seconds = 0;
   progress_line line("pixels", r.progress);
   const settings loop = {
-      chosen.size, static_cast<unsigned>(r.threads), chosen.mode,     side_of(chosen.spp),
-      chosen.crop, format == file_format::exr,       chosen.show_gaps};
-  const rendering result =
-      render_picture(s, **surface, loop, &stop_wanted,
-                     [&](std::uint64_t done_pixels, std::uint64_t pixels, double seconds) {
-                       line.show({done_pixels, pixels, seconds});
-                     });
-  end_is_orderly();
-  line.clear();
-  if (result.counts.pixels == 0)
-    return end_with(ended_by_signal, "interrupted before the first tile; nothing written");
-
-  picture image = to_picture(result);
-  describe(image, r, s, result);
-  const auto bytes = encode(image, format);
-  if (!bytes)
-    return end_with(not_written, bytes.reason());
-  if (const status written = write_atomically(r.output, *bytes); !written)
-    return end_with(not_written, written.reason());
-  print_summary(r, s, **surface, octree_seconds, result);
-  if (result.complete)
-    return done;
-  return end_with(ended_by_signal,
-                  fmt::format("interrupted: {} is a partial picture, {} of {} pixels",
-                              shown(r.output), result.counts.pixels, result.pixels.size()));
+      chosen.size, static_cast<unsigned>(r.threads),         chosen.mode,     side_of(chosen.spp),
+      chosen.crop, *format_of(r.output) != file_format::png, chosen.show_gaps};
+  const int frames = static_cast<int>(t.files.size());
+  for (int i = 0; i < frames; ++i) {
+    const std::string& file = t.files[static_cast<std::size_t>(i)];
+    const bool is_next = static_cast<std::size_t>(i) < t.subjects.size();
+    scene s = is_next ? t.subjects[static_cast<std::size_t>(i)] : t.subjects.back();
+    if (is_next) {
+      const double before = seconds_so_far();
+      surface =
+          prepare(s, std::min(chosen.octree_level, chosen.levels), chosen.levels, chosen.method);
+      octree_seconds = seconds_so_far() - before;
+      if (!surface) {
+        line.clear();
+        return bad_input(frames == 1
+                             ? surface.reason()
+                             : fmt::format("picture {} of {}: {}", i, frames, surface.reason()));
+      }
+    }
+    if (r.view.orbit != 0) {
+      s.view = turned(t.from, 360.0 * i / frames);
+      if (s.lit == scene::lamps::headlight)
+        s.lights = headlight(s.view);
+    }
+    const rendering result =
+        render_picture(s, **surface, loop, &stop_wanted,
+                       [&](std::uint64_t done_pixels, std::uint64_t pixels, double) {
+                         const auto before = static_cast<std::uint64_t>(i) * pixels;
+                         line.show({before + done_pixels,
+                                    static_cast<std::uint64_t>(frames) * pixels, seconds_so_far()});
+                       });
+    if (i + 1 == frames || stop_wanted)
+      end_is_orderly();
+    line.clear();
+    if (frames > 1 && !result.complete)
+      return end_with(ended_by_signal,
+                      fmt::format("interrupted: {} of {} pictures are written", i, frames));
+    if (result.counts.pixels == 0)
+      return end_with(ended_by_signal, "interrupted before the first tile; nothing written");
+    if (const status written = write_picture(r, s, result, file); !written)
+      return end_with(not_written, written.reason());
+    print_summary(r, s, i, frames, file, **surface, octree_seconds, result);
+    if (!result.complete)
+      return end_with(ended_by_signal,
+                      fmt::format("interrupted: {} is a partial picture, {} of {} pixels",
+                                  shown(file), result.counts.pixels, result.pixels.size()));
+  }
+  return done;
 }
 
 void declare(CLI::App& app, request& r) {
@@ -205,7 +299,9 @@ void declare(CLI::App& app, request& r) {
   app.add_option(
          "-o,--output", r.output,
          "The picture: .png (8-bit sRGB) or .exr (linear floats: R, G, B; Z, the distance\n"
-         "from the eye; depth.width, normal.X .Y .Z, object.id, verdict.code, steps.octants)")
+         "from the eye; depth.width, normal.X .Y .Z, object.id, verdict.code, steps.octants,\n"
+         "and bounds); or what is proven of each ray, .npz (NumPy: bounds in doubles of depth,\n"
+         "point and normal; verdict, object)")
       ->required();
   const auto mode = app.add_option("--mode", r.mode,
                                    "cast: light only; trace: shadows and 5 levels of reflection")
@@ -235,6 +331,8 @@ void declare(CLI::App& app, request& r) {
       "Orange where a ray meets no surface, but a pole, a jump or a gap of the formula");
   for (CLI::Option* other : {mode, method, levels, octree_level, size, crop, spp, show_gaps})
     again->excludes(other);
+  for (CLI::Option* other : r.view.declare(app))
+    again->excludes(other);
   app.add_option("--threads", r.threads, "0: one a core; the picture is the same for any number")
       ->capture_default_str();
   app.add_flag("--progress", r.progress, "Report progress even if stderr is not a terminal");
@@ -248,6 +346,11 @@ void declare(CLI::App& app, request& r) {
       "  graze-render --scene spheres --mode trace --size 1024 -o spheres.exr\n"
       "  graze-render --formula \"x^4 + y^4 + z^4 - 1\" --domain=-1.5,1.5 --spp 4 -o cube.png\n"
       "  graze-render --formula \"w = x^2 + y^2; w + z^2 = a*w^2 + 1\" --set a=1/3 -o ring.png\n"
+      "  graze-render --formula \"x*y*z + 1/10\" --domain=-1,1 --up z --orbit 36 -o around.png\n"
+      "  graze-render --formula \"x^2 + y^2 - z^2 - a\" --animate a=-1..1 --frames 50 -o a.png\n"
+      "  graze-render --formula \"x^2 + y^2 - z^2\" --azimuth 30 --size 4096 --spp 16 \\\n"
+      "    --background transparent --colour steelblue -o figure.png\n"
+      "  graze-render --scene tanglecube -o tanglecube.npz  # depth into NumPy\n"
       "  graze-render --again spheres.exr -o the_same.exr");
 }
 
@@ -267,18 +370,18 @@ int start(int argc, char** argv) {
   listen_for_interrupts();
   limit_memory();
   formula_mark where;
-  const auto s = understand(r, where);
-  if (!s) {
-    complain(s.reason());
+  const auto t = understand(r, where);
+  if (!t) {
+    complain(t.reason());
     print_error(where.lines());
     return refused;
   }
-  if (const std::string note = note_on(*s); !note.empty())
+  if (const std::string note = note_on(t->subjects.front()); !note.empty())
     complain(note);
   if (r.threads == 0)
     r.threads = static_cast<int>(default_threads());
   try {
-    return render_to_file(r, *s);
+    return render_to_files(r, *t);
   } catch (const std::bad_alloc&) {
     return bad_input(fmt::format("not enough memory for {}x{} pixels", r.settings.size.width,
                                  r.settings.size.height));

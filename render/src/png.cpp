@@ -51,7 +51,7 @@ class png_writer {
 public:
   explicit png_writer(const picture& image)
       : image_(image), planes_{image.find("R"), image.find("G"), image.find("B")},
-        row_(3 * static_cast<std::size_t>(image.width)) {}
+        alpha_(image.find("A")), row_(samples() * static_cast<std::size_t>(image.width)) {}
   ~png_writer() { png_destroy_write_struct(&png_, &info_); }
   png_writer(const png_writer&) = delete;
   png_writer& operator=(const png_writer&) = delete;
@@ -109,8 +109,9 @@ private:
     png_set_compression_level(png_, 4);
     png_set_compression_strategy(png_, 0);
     png_set_IHDR(png_, info_, static_cast<png_uint_32>(image_.width),
-                 static_cast<png_uint_32>(image_.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 static_cast<png_uint_32>(image_.height), 8,
+                 alpha_ != nullptr ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
     png_set_oFFs(png_, info_, 0, 0, PNG_OFFSET_PIXEL); // this and the last text: as OpenImageIO did
     for (const auto& [key, value] : image_.metadata)
@@ -133,16 +134,35 @@ private:
     png_set_text(png_, info_, &text, 1);
   }
 
+  [[nodiscard]] std::size_t samples() const { return alpha_ != nullptr ? 4 : 3; }
+
   void fill(std::size_t row) {
+    if (alpha_ != nullptr) {
+      fill_with_alpha(row);
+      return;
+    }
     const std::size_t width = row_.size() / 3;
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t i = 0; i < width; ++i)
         row_[3 * i + c] = srgb_byte_of(planes_[c]->values[row * width + i]);
   }
 
+  void fill_with_alpha(std::size_t row) {
+    const std::size_t width = row_.size() / 4;
+    for (std::size_t i = 0; i < width; ++i) {
+      const float alpha = std::clamp(alpha_->values[row * width + i], 0.0f, 1.0f);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float x = planes_[c]->values[row * width + i];
+        row_[4 * i + c] = srgb_byte_of(alpha > 0 ? x / alpha : 0.0f);
+      }
+      row_[4 * i + 3] = static_cast<unsigned char>(alpha * 255 + 0.5f);
+    }
+  }
+
   const picture& image_;
   const srgb_bytes srgb_byte_of;
   const channel* planes_[3];
+  const channel* alpha_; ///< none: opaque
   std::vector<unsigned char> row_, bytes_;
   char reason_[200] = "";
   bool short_of_memory_ = false;

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 #include <graze/support/threads.hpp>
 #include <limits>
 #include <mutex>
@@ -19,7 +20,8 @@ std::array<float, 3> narrow(const std::array<double, 3>& c) {
   return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
 }
 
-const pixel unfinished_pixel = {narrow(unfinished_colour), std::numeric_limits<float>::infinity()};
+const pixel unfinished_pixel = {narrow(unfinished_colour), std::numeric_limits<float>::infinity(),
+                                0};
 
 /// One thread's part of the work, a tile at a time. Each pixel depends on nothing but its own rays,
 /// and sums of integers and greatest numbers on no order, so that the order in which tiles are
@@ -54,6 +56,7 @@ private:
   void look_at(const window& place) {
     place_ = place;
     sums_.assign(place.size.count(), colour{});
+    seen_.assign(place.size.count(), 0);
     colours_.resize(place.size.count());
     const int side = settings_.sampling;
     for (int j = 0; j < side; ++j)
@@ -61,9 +64,13 @@ private:
         const bool centre = 2 * i + 1 == side && 2 * j + 1 == side;
         cast(side, i, j, centre);
         shader_.look(rays_, hits_, colours_, counts_);
-        for (std::size_t k = 0; k < sums_.size(); ++k)
+        for (std::size_t k = 0; k < sums_.size(); ++k) {
+          if (scene_.transparent && sees_background(hits_[k].outcome))
+            continue;
+          ++seen_[k];
           for (std::size_t c = 0; c < 3; ++c)
             sums_[k][c] += colours_[k][c];
+        }
         if (centre)
           note_facts();
       }
@@ -74,9 +81,15 @@ private:
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       for (double& c : sums_[k])
         c /= side * side;
-      target_.pixels[at(k)].colour = narrow(sums_[k]);
+      pixel& p = target_.pixels[at(k)];
+      p.colour = narrow(sums_[k]);
+      p.alpha = static_cast<float>(seen_[k]) / static_cast<float>(side * side);
     }
     counts_.pixels += sums_.size();
+  }
+
+  [[nodiscard]] bool sees_background(octree::verdict v) const {
+    return octree::is_free(v) && (v == octree::verdict::miss || !settings_.show_gaps);
   }
 
   /// Casts ray (i, j) of side^2 of every pixel.
@@ -106,6 +119,10 @@ private:
   }
 
   void note_facts() {
+    if (settings_.facts) {
+      proofs_.resize(rays_.size());
+      surface_.whole().prove(rays_, hits_, proofs_);
+    }
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       const octree::surface_hit& h = hits_[k];
       const vec3& d = rays_[k].direction();
@@ -139,6 +156,7 @@ private:
         continue;
       pixel_facts& f = target_.facts[at(k)];
       f.verdict = static_cast<int>(h.outcome);
+      f.proven = proofs_[k];
       f.steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(steps_[k], ~std::uint32_t{0}));
       if (is_free(h.outcome))
         continue;
@@ -171,11 +189,39 @@ private:
   tally counts_;
   window place_; ///< the tile in hand
   std::vector<colour> sums_, colours_;
+  std::vector<int> seen_; ///< of a pixel's rays those that are in its sum
   std::vector<octree::ray> rays_;
   std::vector<octree::surface_hit> hits_;
   std::vector<std::uint64_t> steps_;
+  std::vector<proof> proofs_;
 };
 
+} // namespace
+
+namespace {
+/// Part `index` of the floats whose sum is x: 24 bits each, so that three have all of it. What has no
+/// float, since it is too small or too large, is rounded up, so that the sum is no less than x.
+float part_up(double x, int index) {
+  constexpr float greatest = std::numeric_limits<float>::max();
+  for (int i = 0;; ++i) {
+    float part = static_cast<float>(x);
+    if (i == 2 && static_cast<double>(part) < x)
+      part = std::nextafter(part, std::numeric_limits<float>::infinity());
+    if (std::isinf(part) && std::isfinite(x))
+      part = x > 0 ? part : -greatest; // infinity, or the rest is lost
+    if (i == index)
+      return part;
+    x = std::isfinite(part) && part != -greatest ? x - static_cast<double>(part) : 0;
+  }
+}
+float part_down(double x, int index) { return -part_up(-x, index); }
+float float_up(double x) {
+  const auto near = static_cast<float>(x);
+  return static_cast<double>(near) < x
+             ? std::nextafter(near, std::numeric_limits<float>::infinity())
+             : near;
+}
+float float_down(double x) { return -float_up(-x); }
 } // namespace
 
 tally& tally::operator+=(const tally& part) {
@@ -244,7 +290,7 @@ rendering render_picture(const scene& s, const caster& surface, const settings& 
   return result;
 }
 
-picture to_picture(const rendering& result) {
+picture to_picture(const rendering& result, bool transparent) {
   const window& part = result.part;
   picture image{part.size.width,    part.size.height,   {}, {}, part.column, part.row,
                 result.whole.width, result.whole.height};
@@ -258,6 +304,8 @@ picture to_picture(const rendering& result) {
   add("R", result.pixels, [](const pixel& p) { return p.colour[0]; });
   add("G", result.pixels, [](const pixel& p) { return p.colour[1]; });
   add("B", result.pixels, [](const pixel& p) { return p.colour[2]; });
+  if (transparent)
+    add("A", result.pixels, [](const pixel& p) { return p.alpha; });
   add("Z", result.pixels, [](const pixel& p) { return p.depth; });
   if (result.facts.empty())
     return image;
@@ -269,6 +317,18 @@ picture to_picture(const rendering& result) {
   add("object.id", result.facts, [](const facts& f) { return f.object; });
   add("verdict.code", result.facts, [](const facts& f) { return f.verdict; });
   add("steps.octants", result.facts, [](const facts& f) { return f.steps; });
+  for (const int i : {0, 1, 2}) {
+    add(fmt::format("depth.lower.{}", i + 1), result.facts,
+        [i](const facts& f) { return part_down(f.proven.depth_lower, i); });
+    add(fmt::format("depth.upper.{}", i + 1), result.facts,
+        [i](const facts& f) { return part_up(f.proven.depth_upper, i); });
+  }
+  for (const std::size_t a : {0u, 1u, 2u}) {
+    add(fmt::format("normal.lower.{}", "XYZ"[a]), result.facts,
+        [a](const facts& f) { return float_down(f.proven.normal.lo[a]); });
+    add(fmt::format("normal.upper.{}", "XYZ"[a]), result.facts,
+        [a](const facts& f) { return float_up(f.proven.normal.hi[a]); });
+  }
   return image;
 }
 

@@ -1,6 +1,7 @@
 #include "request.hpp"
 
 #include <charconv>
+#include <filesystem>
 #include <fmt/format.h>
 #include <graze/octree/cube.hpp>
 #include <graze/support/text.hpp>
@@ -37,6 +38,26 @@ int side_of(int spp) {
     if (side * side == spp)
       return side;
   return 0;
+}
+
+expected<std::string> frame_file(const std::string& output, int i) {
+  const auto at = output.find('%');
+  if (at == std::string::npos) {
+    const std::filesystem::path whole(output);
+    return (whole.parent_path() / whole.stem()).string() + fmt::format("_{:04}", i) +
+           whole.extension().string();
+  }
+  std::size_t end = at + 1;
+  const bool zeros = output[end] == '0';
+  std::size_t width = 0;
+  for (; output[end] >= '0' && output[end] <= '9' && width < 10; ++end)
+    width = 10 * width + static_cast<std::size_t>(output[end] - '0');
+  if (output[end] != 'd' || width >= 10 || output.find('%', end) != std::string::npos)
+    return unexpected{fmt::format("the pattern '{}' needs one %d, such as %04d", output)};
+  std::string number = std::to_string(i);
+  if (number.size() < width)
+    number.insert(0, width - number.size(), zeros ? '0' : ' ');
+  return output.substr(0, at) + number + output.substr(end + 1);
 }
 
 expected<extent> extent_from(std::string_view text) {

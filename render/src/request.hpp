@@ -25,6 +25,10 @@ struct picture_settings {
   static expected<picture_settings> parse(std::string_view text);
 };
 
+/// The file of frame i of several: of a pattern with one %d (%4d, %04d) its number there, from 0 on; of
+/// another name with _%04d before its extension. Refuses a % that is no such pattern.
+expected<std::string> frame_file(const std::string& output, int i);
+
 /// "512" or "640x480".
 expected<extent> extent_from(std::string_view text);
 /// "x,y,w,h": first column, first row, width, height.

@@ -75,16 +75,6 @@ support::status check_surface(const octree::formula& whole, const octree::box& d
       "interval that holds 0, or is not proven to be defined and continuous"};
 }
 
-/// The surface of the objects together, compiled; of one object, its own.
-expected<octree::formula> compile(const scene& s) {
-  if (s.shape.form == solid::kind::single)
-    return *s.objects[s.shape.single].formula;
-  auto whole = octree::formula::parse(formula_text(s), nullptr, s.set);
-  if (!whole)
-    return unexpected{"all objects together: " + whole.reason()};
-  return whole;
-}
-
 template <class F>
 expected<std::unique_ptr<caster>> make_caster(const octree::built_in_surface<F>& source,
                                               const octree::box& domain, int octree_level,
@@ -112,8 +102,17 @@ expected<std::unique_ptr<caster>> make_caster(const octree::formula& source,
 
 } // namespace
 
+expected<octree::formula> whole_formula(const scene& s) {
+  if (s.shape.form == solid::kind::single)
+    return *s.objects[s.shape.single].formula;
+  auto whole = octree::formula::parse(formula_text(s), nullptr, s.set);
+  if (!whole)
+    return unexpected{"all objects together: " + whole.reason()};
+  return whole;
+}
+
 expected<octree::formula> proven_surface(const scene& s) {
-  auto whole = compile(s);
+  auto whole = whole_formula(s);
   if (!whole)
     return whole;
   if (const support::status may = check_surface(*whole, s.domain); !may)

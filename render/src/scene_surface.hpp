@@ -6,7 +6,9 @@
 
 namespace graze::render {
 
-/// The formula of the whole, for a scene of formulas. Refuses one of which it is proven that there is
+/// The formula of the whole, for a scene of formulas: of one object, its own.
+expected<octree::formula> whole_formula(const scene& s);
+/// The same. Refuses one of which it is proven that there is
 /// no surface in the domain, or nothing at all.
 expected<octree::formula> proven_surface(const scene& s);
 

@@ -105,9 +105,21 @@ private:
 
 constexpr double farthest = 1e100;
 
+/// [r, g, b], linear, or a text (colour_from).
+colour colour_of(const value& v) {
+  if (!v.is_text())
+    return v.three(0, 100);
+  const auto found = colour_from(v.text());
+  if (!found)
+    v.refuse(found.reason());
+  return *found;
+}
+
 material material_from(const value& v, material m) {
   if (v.has("body"))
-    m.body = v.at("body").three(0, 100);
+    m.body = colour_of(v.at("body"));
+  if (v.has("inside"))
+    m.inside = colour_of(v.at("inside"));
   const auto read = [&](const char* key, double& to, double most) {
     if (v.has(key))
       to = v.at(key).number(0, most);
@@ -187,6 +199,7 @@ octree::box domain_of(const value& v) {
   return b;
 }
 
+/// A camera by vectors, or by its scale.
 camera camera_from(const value& v) {
   camera c{};
   if (v.has("scale")) {
@@ -207,19 +220,71 @@ camera camera_from(const value& v) {
   return c;
 }
 
-std::vector<light> lights_from(const value& v) {
-  std::vector<light> lights;
+framing framing_from(const value& v) {
+  v.check_keys({"eye", "look_at", "up", "azimuth", "elevation", "fov", "zoom"});
+  framing f;
+  const auto read = [&](const char* key, std::optional<double>& to) {
+    if (v.has(key))
+      to = v.at(key).number(-farthest, farthest);
+  };
+  read("azimuth", f.azimuth);
+  read("elevation", f.elevation);
+  read("fov", f.fov);
+  read("zoom", f.zoom);
+  if (v.has("eye"))
+    f.eye = v.at("eye").three(-farthest, farthest);
+  if (v.has("look_at"))
+    f.look_at = v.at("look_at").three(-farthest, farthest);
+  if (v.has("up") && v.at("up").is_text()) {
+    const auto up = direction_from(v.at("up").text());
+    if (!up)
+      v.at("up").refuse(up.reason());
+    f.up = *up;
+  } else if (v.has("up")) {
+    f.up = v.at("up").three(-farthest, farthest);
+  }
+  return f;
+}
+
+void read_camera(const value& v, scene& s) {
+  s.fitted.reset();
+  if (v.has("scale") || v.has("at") || v.has("centre") || v.has("right")) {
+    s.view = camera_from(v);
+    return;
+  }
+  s.fitted = framing_from(v);
+  const auto shown = frame(*s.fitted, ball_about(s.domain));
+  if (!shown)
+    v.refuse(shown.reason());
+  s.view = shown->view;
+}
+
+void read_lights(const value& v, scene& s) {
+  s.lit = scene::lamps::given;
+  s.lights.clear();
+  if (v.is_text()) {
+    if (v.text() != "headlight")
+      v.refuse("must be a list, [ ... ], or \"headlight\"");
+    s.lit = scene::lamps::headlight;
+    s.lights = headlight(s.view);
+    return;
+  }
   for (const value& l : v.elements(most_lights)) {
     l.check_keys({"position", "intensity"});
-    lights.push_back(
+    s.lights.push_back(
         {l.at("position").three(-farthest, farthest), l.at("intensity").number(0, 1e6)});
   }
-  return lights;
+}
+
+void read_background(const value& v, scene& s) {
+  s.transparent = v.is_text() && v.text() == "transparent";
+  if (!s.transparent)
+    s.background = colour_of(v);
 }
 
 scene scene_of(const value& v, std::span<const octree::parameter> given) {
   v.check_keys({"name", "surface", "formula", "material", "objects", "solid", "set", "domain",
-                "camera", "lights", "background"});
+                "camera", "lights", "background", "colour", "inside_colour"});
   const int surfaces = int{v.has("surface")} + int{v.has("formula")} + int{v.has("objects")};
   if (surfaces != 1)
     v.refuse(surfaces == 0 ? "no surface: one of the keys surface, formula, objects is needed"
@@ -240,7 +305,8 @@ scene scene_of(const value& v, std::span<const octree::parameter> given) {
     s.objects.push_back({"surface", formula_from(v.at("formula"), set), material{default_body}});
   } else {
     for (const value& o : v.at("objects").elements(most_objects)) {
-      o.check_keys({"name", "formula", "body", "ambient", "diffuse", "specular", "reflection"});
+      o.check_keys(
+          {"name", "formula", "body", "inside", "ambient", "diffuse", "specular", "reflection"});
       const std::string name = o.at("name").text();
       for (const object& other : s.objects)
         if (other.name == name)
@@ -256,8 +322,20 @@ scene scene_of(const value& v, std::span<const octree::parameter> given) {
   if (v.has("material")) {
     if (v.has("objects"))
       v.at("material").refuse("objects have their own");
-    v.at("material").check_keys({"body", "ambient", "diffuse", "specular", "reflection"});
+    v.at("material").check_keys({"body", "inside", "ambient", "diffuse", "specular", "reflection"});
     s.objects[0].look = material_from(v.at("material"), s.objects[0].look);
+  }
+  for (const auto& [key, of_material] :
+       {std::pair{"colour", "body"}, {"inside_colour", "inside"}}) {
+    if (!v.has(key))
+      continue;
+    if (v.has("objects") || (v.has("material") && v.at("material").has(of_material)))
+      v.at(key).refuse(fmt::format("the objects or the material have their own '{}'", of_material));
+    const colour chosen = colour_of(v.at(key));
+    if (of_material == std::string_view("body"))
+      s.objects[0].look.body = chosen;
+    else
+      s.objects[0].look.inside = chosen;
   }
   if (v.has("solid")) {
     s.shape = solid_from(v.at("solid"), s.objects, 0);
@@ -276,15 +354,15 @@ scene scene_of(const value& v, std::span<const octree::parameter> given) {
   else if (s.built_in.empty())
     v.refuse("the key 'domain' is missing");
   if (v.has("camera"))
-    s.view = camera_from(v.at("camera"));
+    read_camera(v.at("camera"), s);
   else if (s.built_in.empty())
     s.view = fitting_camera(s.domain);
   if (v.has("lights"))
-    s.lights = lights_from(v.at("lights"));
+    read_lights(v.at("lights"), s);
   else if (s.built_in.empty())
     s.lights = fitting_lights(s.domain);
   if (v.has("background"))
-    s.background = v.at("background").three(0, 100);
+    read_background(v.at("background"), s);
   return s;
 }
 
@@ -301,11 +379,14 @@ json json_of(const solid& s, const std::vector<object>& objects) {
 }
 
 json json_of(const material& m) {
-  return {{"body", m.body},
-          {"ambient", m.ambient},
-          {"diffuse", m.diffuse},
-          {"specular", m.specular},
-          {"reflection", m.reflection}};
+  json j = {{"body", m.body},
+            {"ambient", m.ambient},
+            {"diffuse", m.diffuse},
+            {"specular", m.specular},
+            {"reflection", m.reflection}};
+  if (m.inside)
+    j["inside"] = *m.inside;
+  return j;
 }
 
 } // namespace
@@ -392,11 +473,14 @@ std::string text_of(const scene& s) {
   j["lights"] = json::array();
   for (const light& l : s.lights)
     j["lights"].push_back({{"position", l.position}, {"intensity", l.intensity}});
-  j["background"] = s.background;
+  if (s.transparent)
+    j["background"] = "transparent";
+  else
+    j["background"] = s.background;
   return j.dump(-1, ' ', true, json::error_handler_t::replace);
 }
 
-expected<octree::box> domain_from(std::string_view text) {
+expected<std::vector<double>> numbers_from(std::string_view text) {
   std::vector<double> numbers;
   const char* at = text.data();
   const char* const end = at + text.size();
@@ -407,9 +491,16 @@ expected<octree::box> domain_from(std::string_view text) {
       return unexpected{fmt::format("column {}: a number is wanted", at - text.data() + 1)};
     numbers.push_back(x);
     if (rest == end)
-      break;
+      return numbers;
     at = rest + 1;
   }
+}
+
+expected<octree::box> domain_from(std::string_view text) {
+  const auto all = numbers_from(text);
+  if (!all)
+    return unexpected{all.reason()};
+  const std::vector<double>& numbers = *all;
   if (numbers.size() != 2 && numbers.size() != 6)
     return unexpected{
         fmt::format("needs lo,hi or x0,x1,y0,y1,z0,z1, not {} numbers", numbers.size())};

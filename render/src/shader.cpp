@@ -85,9 +85,10 @@ void shader::sort(std::span<const octree::ray> rays, std::span<const octree::sur
       add(colours[pixels[i]], weights[i], undecided_colour);
       break;
     case verdict::hit: {
-      const vec3 point = point_at(rays[i], middle(hits[i]));
+      const vec3 point = point_at(rays[i], middle(hits[i])), &direction = rays[i].direction();
+      const vec3 gradient = surface_.whole().gradient(point);
       seen_.emplace_back(pixels[i], weights[i], rays[i], hits[i], point,
-                         facing_normal(surface_.whole().gradient(point), rays[i].direction()),
+                         facing_normal(gradient, direction), detail::dot(gradient, direction) > 0,
                          object_at(scene_, point), departure{}, 0);
     }
     }
@@ -150,7 +151,8 @@ void shader::reflect(std::span<colour> colours, bool last, tally& counts) {
   for (const seen& s : seen_) {
     const material& look = scene_.objects[s.object].look;
     const bool mirrors = !last && look.reflection > 0;
-    const colour own = shade(look, s.point, s.normal, s.ray.direction(), scene_.lights,
+    const colour& body = s.inside && look.inside ? *look.inside : look.body;
+    const colour own = shade(look, body, s.point, s.normal, s.ray.direction(), scene_.lights,
                              [&](std::size_t l) { return (s.shadowed >> l & 1) != 0; });
     add(colours[s.pixel], mirrors ? s.weight * (1 - look.reflection) : s.weight, own);
     if (!mirrors)

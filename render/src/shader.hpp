@@ -44,6 +44,7 @@ private:
     octree::ray ray;
     octree::surface_hit hit;
     vec3 point, normal;
+    bool inside; ///< from f < 0
     std::size_t object;
     departure from;
     std::uint64_t shadowed; ///< bit i: light i is proven to be hidden

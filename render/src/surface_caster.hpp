@@ -74,6 +74,13 @@ public:
       if (hits[i].outcome == octree::verdict::hit)
         departures[i] = render::depart<surface, backend>(f, domain_, rays[i], hits[i], longest_);
   }
+  void prove(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
+             std::span<proof> proofs) const override {
+    const surface f = source_.surface();
+    [[maybe_unused]] const backend::scope scope;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      proofs[i] = render::prove<surface, backend>(f, rays[i], hits[i]);
+  }
   std::uint64_t octree_leaves() const override { return tree_ ? tree_->leaf_count() : 0; }
 
 private:

@@ -355,6 +355,8 @@ class Matrix:
                                                         "-o", f]),
             "render -o FILE.exr": (".exr", 1, lambda f: [p["graze-render"], "--scene", "spheres", "--size", "100",
                                                         "-o", f]),
+            "render -o FILE.npz": (".npz", 1, lambda f: [p["graze-render"], "--scene", "spheres", "--size", "100",
+                                                        "-o", f]),
             "voxelize -o FILE": ("", 1, lambda f: [p["graze-voxelize"], "--scene", "spheres", "--level", "6", "-o", f]),
         }
         for name, (ending, late, argv) in writers.items():

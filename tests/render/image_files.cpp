@@ -55,6 +55,33 @@ TEST_CASE("render.image: png holds sRGB bytes", "[unit]") {
   CHECK(std::lround(back->find("G")->values[1] * 255) == 188);
 }
 
+TEST_CASE("render.image: png holds colours divided by alpha, exr multiplied by it", "[unit]") {
+  const picture image = {3,
+                         1,
+                         {{"R", {0.125f, 0.0f, 0.5f}},
+                          {"G", {0.25f, 0.0f, 1.0f}},
+                          {"B", {0.0f, 0.0f, 2.0f}},
+                          {"A", {0.25f, 0.0f, 1.0f}}}};
+  const scratch dir;
+  write(image, dir / "a.png");
+  write(image, dir / "a.exr");
+  const auto png = read_picture(dir / "a.png"), exr = read_picture(dir / "a.exr");
+  REQUIRE(png);
+  REQUIRE(exr);
+  const auto bytes = [&](const char* name) {
+    std::vector<long> all;
+    for (const float x : png->find(name)->values)
+      all.push_back(std::lround(x * 255));
+    return all;
+  };
+  CHECK(bytes("R") == std::vector<long>{188, 0, 188});
+  CHECK(bytes("G") == std::vector<long>{255, 0, 255});
+  CHECK(bytes("B") == std::vector<long>{0, 0, 255});
+  CHECK(bytes("A") == std::vector<long>{64, 0, 255});
+  for (const channel& c : image.channels)
+    CHECK(exr->find(c.name)->values == c.values);
+}
+
 TEST_CASE("render.image: png has the byte of every float", "[unit]") {
   // at both sides of each place where the byte changes, what is no number between 0 and 1, others
   constexpr float inf = std::numeric_limits<float>::infinity();

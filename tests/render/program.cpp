@@ -145,7 +145,8 @@ TEST_CASE("graze-render: --set gives names their values, exactly, before a scene
   const scratch dir;
   const auto bytes = [&](const std::string& arguments) {
     const std::string file = dir / "a.png";
-    const auto o = call(GRAZE_RENDER, arguments + " --size 24 -o " + file);
+    const auto o = call(GRAZE_RENDER,
+                        arguments + " --eye 5,2,3 --look-at 0,0,0 --fov 40 --size 24 -o " + file);
     INFO(arguments << ": " << o.err);
     REQUIRE(o.code == 0);
     CHECK(o.err.empty());
@@ -221,6 +222,154 @@ TEST_CASE("graze-render: --again gives the same bytes, crops and samples include
     CHECK(o.err.empty());
     CHECK(support::content(first) == support::content(second));
   }
+}
+
+TEST_CASE("graze-render: view options are those of scene files, and contradictions are one line",
+          "[unit]") {
+  const scratch dir, scenes;
+  const std::string to = " -o " + (dir / "a.png"), file = scenes / "s.json";
+  std::ofstream(file)
+      << R"({"name": "formula", "formula": "x^2 + 2*y^2 + z^2 - 1", "domain": [-2, 2],
+      "camera": {"azimuth": -40, "elevation": 30, "up": "z", "fov": 25, "zoom": 1.5},
+      "colour": "tomato", "inside_colour": [0.1, 0.2, 0.3], "background": "transparent"})";
+  REQUIRE(call(GRAZE_RENDER, "--scene " + file + " --size 40 -o " + (scenes / "a.png")).code == 0);
+  const auto o =
+      call(GRAZE_RENDER,
+           "--formula 'x^2 + 2*y^2 + z^2 - 1' --azimuth -40 --elevation 30 --up z --fov 25 "
+           "--zoom 1.5 --color tomato --inside-colour 0.1,0.2,0.3 --background "
+           "transparent --size 40" +
+               to);
+  INFO(o.err);
+  REQUIRE(o.code == 0);
+  CHECK(support::content(dir / "a.png") == support::content(scenes / "a.png"));
+  std::filesystem::remove(dir / "a.png");
+  const std::string sphere = "--formula 'x^2 + y^2 + z^2 - 1' ";
+  refused(dir, sphere + "--eye 1,2,3 --azimuth 5" + to, "leave out one of them");
+  refused(dir, sphere + "--eye 0,0,3 --up z" + to, "give another axis, such as x");
+  refused(dir, sphere + "--eye 1,2,3 --look-at 1,2,3" + to, "move one of them");
+  refused(dir, sphere + "--eye 1,2" + to, "--eye: needs x,y,z, not 2 numbers");
+  refused(dir, sphere + "--eye 1,2,q" + to, "--eye: column 5");
+  refused(dir, sphere + "--eye nan,0,1" + to, "eye must be finite");
+  refused(dir, sphere + "--look-at 0,inf,1" + to, "look-at must be finite");
+  refused(dir, sphere + "--up 0,0,0" + to, "up must not be 0");
+  refused(dir, sphere + "--up w" + to, "--up: column 1");
+  refused(dir, sphere + "--elevation 91" + to, "elevation must be -90 to 90");
+  refused(dir, sphere + "--azimuth nan" + to, "azimuth must be");
+  refused(dir, sphere + "--fov 180" + to, "fov must be 0.001 to 170");
+  refused(dir, sphere + "--zoom 0" + to, "zoom must be");
+  refused(dir, sphere + "--colour mauve" + to, "--colour: 'mauve' is no colour");
+  refused(dir, sphere + "--background '#12'" + to, "--background: '#12' is no colour");
+  refused(dir, sphere + "--light 1,2" + to, "--light: needs x,y,z");
+  refused(dir, sphere + "--light headlight --light 1,2,3" + to, "headlight or positions");
+  refused(dir, sphere + "--light 1,2,3,-1" + to, "intensity must be");
+  refused(dir, sphere + "--orbit 1" + to, "--orbit must be 2 to 10000, not 1");
+  refused(dir, sphere + "--orbit 4 -o " + (dir / "a%s.png"), "needs one %d");
+  refused(dir, sphere + "--orbit 4 -o " + (dir / "a%d%d.png"), "needs one %d");
+  refused(dir, "--again " + (scenes / "a.png") + " --zoom 2" + to, "--zoom");
+  support::refused(GRAZE_VOXELIZE, sphere + "--azimuth 3 -o " + (dir / "a.octree"), "--azimuth");
+  std::ofstream(file)
+      << R"({"objects": [{"name": "a", "formula": "x"}, {"name": "b", "formula": "y"}],
+      "domain": [-1, 1]})";
+  refused(dir, "--scene " + file + " --colour red" + to, "objects have their own");
+}
+
+TEST_CASE("graze-render: an orbit is a picture from each side, and --again makes any of them again",
+          "[unit]") {
+  const scratch dir;
+  const std::string formula =
+      "--formula '(x-1/4)^2 + 2*y^2 + z^2 + x*y - 1' --up z --elevation 20 --size 40 ";
+  const auto o =
+      call(GRAZE_RENDER, formula + "--azimuth 10 --orbit 4 --json -o " + (dir / "a.png"));
+  INFO(o.err);
+  REQUIRE(o.code == 0);
+  std::istringstream lines(o.out);
+  int frame = 0;
+  for (std::string line; std::getline(lines, line); ++frame) {
+    const auto found = nlohmann::json::parse(line);
+    const std::string file = dir / ("a_000" + std::to_string(frame) + ".png");
+    CHECK(found["frame"] == frame);
+    CHECK(found["frames"] == 4);
+    CHECK(found["output"] == file);
+    CHECK(found["complete"] == true);
+    // 10, 100, 190 and 280 degrees: the same as one picture each, but for roundings of the camera
+    const auto single =
+        call(GRAZE_RENDER, formula + "--json --azimuth " + std::to_string(10 + 90 * frame) +
+                               " -o " + (dir / "b.png"));
+    REQUIRE(single.code == 0);
+    CHECK(nlohmann::json::parse(single.out)["hits"] == found["hits"]);
+    REQUIRE(call(GRAZE_RENDER, "--again " + file + " -o " + (dir / "b.png")).code == 0);
+    CHECK(support::content(dir / "b.png") == support::content(file));
+  }
+  CHECK(frame == 4);
+  CHECK(support::content(dir / "a_0000.png") != support::content(dir / "a_0001.png"));
+  REQUIRE(call(GRAZE_RENDER, "--scene tanglecube --size 16 --orbit 11 -o " + (dir / "t-%03d-x.png"))
+              .code == 0);
+  CHECK(std::filesystem::exists(dir / "t-000-x.png"));
+  CHECK(std::filesystem::exists(dir / "t-010-x.png"));
+}
+
+TEST_CASE("graze-render: an animation is a picture for each value, under one camera", "[unit]") {
+  const scratch dir;
+  const std::string to = " -o " + (dir / "a.png"),
+                    ball = "--formula 'x^2 + y^2 + z^2 - a*b' --set b=2 --size 40 --json ";
+  const auto seen = call(GRAZE_RENDER, ball + "--animate a=0.25..1 --frames 4" + to);
+  INFO(seen.err);
+  REQUIRE(seen.code == 0);
+  std::istringstream lines(seen.out);
+  int hits = 0, frame = 0;
+  for (std::string line; std::getline(lines, line); ++frame) { // it grows: the camera stands still
+    const auto found = nlohmann::json::parse(line);
+    CHECK(found["frame"] == frame);
+    CHECK(found["hits"].get<int>() > hits + 50);
+    hits = found["hits"];
+  }
+  CHECK(frame == 4);
+  for (const char* name : {"a_0000.png", "a_0001.png", "a_0002.png", "a_0003.png"})
+    CHECK(std::filesystem::remove(dir / name));
+  const std::string standing = ball + "--eye 5,2,3 --look-at 0,0,0 --fov 40 ";
+  REQUIRE(call(GRAZE_RENDER, standing + "--animate a=1..0.5 --frames 3" + to).code == 0);
+  REQUIRE(call(GRAZE_RENDER, standing + "--set a=0.75" + to).code == 0);
+  CHECK(support::content(dir / "a_0001.png") == support::content(dir / "a.png"));
+  REQUIRE(call(GRAZE_RENDER, "--again " + (dir / "a_0001.png") + " -o " + (dir / "b.png")).code ==
+          0);
+  CHECK(support::content(dir / "a_0001.png") == support::content(dir / "b.png"));
+  const scratch none;
+  const std::string nowhere = " -o " + (none / "a.png");
+  refused(none, ball + "--animate a=0..1" + nowhere, "--animate needs --frames");
+  refused(none, ball + "--frames 3" + nowhere, "--frames is of --animate");
+  refused(none, ball + "--animate a=0..1 --frames 1" + nowhere, "--frames must be 2 to 10000");
+  refused(none, ball + "--animate a=0..1 --frames 3 --orbit 3" + nowhere, "exclude each other");
+  for (const char* wrong :
+       {"a", "a=1", "a=1..", "=0..1", "a=0..nan", "a=0..inf", "0..1", "a=0,1..2"})
+    refused(none, ball + "--animate " + wrong + " --frames 3" + nowhere, "must be as a=0..1");
+  refused(none, "--formula 'x^2 + y^2 + z^2 - 1' --animate c=0..1 --frames 3" + nowhere, "--set");
+  refused(none, ball + "--animate a=-2..-1 --frames 3" + nowhere, "picture 0 of 3: no surface");
+}
+
+TEST_CASE("graze-render: an interrupted orbit leaves whole pictures", "[unit]") {
+  const scratch dir, pictures;
+  const std::string log = dir / "log", first = pictures / "a_0000.png";
+  const auto o =
+      call("sh", "-c '" + std::string(GRAZE_RENDER) +
+                     " --scene spheres --mode trace --size 200 --spp 25 --orbit 1000 -o " +
+                     (pictures / "a.png") + " 2>" + log + " & while ! [ -s " + first +
+                     " ]; do sleep 0.02; done; kill -INT $!; wait $!'");
+  const std::string err = support::content(log);
+  INFO(err);
+  CHECK(o.code == 130);
+  CHECK(err.find("of 1000 pictures are written") != std::string::npos);
+  CHECK(std::count(err.begin(), err.end(), '\n') == 1);
+  int count = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(first).parent_path())) {
+    const std::string bytes = support::content(entry.path());
+    CHECK(bytes.find("graze:complete") != std::string::npos);
+    CHECK(bytes.substr(bytes.find("graze:complete") + 15, 3) == "yes");
+    ++count;
+  }
+  CHECK(err.find("interrupted: " + std::to_string(count) + " of 1000") != std::string::npos);
+  CHECK(count > 0);
+  CHECK(count < 1000);
 }
 
 TEST_CASE("graze-render: a full disk is one line, exit code 1, and no file", "[unit]") {

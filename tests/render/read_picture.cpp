@@ -5,7 +5,9 @@
 using namespace graze::render;
 
 graze::expected<picture> read_picture(const std::string& file) {
-  const auto reader = OIIO::ImageInput::open(file);
+  OIIO::ImageSpec as_written; // or it multiplies a PNG picture's colours by its alpha
+  as_written.attribute("oiio:UnassociatedAlpha", 1);
+  const auto reader = OIIO::ImageInput::open(file, &as_written);
   if (!reader)
     return graze::unexpected{OIIO::geterror()};
   const OIIO::ImageSpec& spec = reader->spec();

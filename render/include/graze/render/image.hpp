@@ -11,7 +11,8 @@ namespace graze::render {
 
 /// One plane of values, row by row from the top.
 struct channel {
-  std::string name; ///< "R", "G", "B", "Z"; of a layer "normal.X" and so on
+  /// "R", "G", "B", "Z"; "A", by which R, G and B are multiplied; of a layer "normal.X" and so on
+  std::string name;
   std::vector<float> values;
 };
 
@@ -28,7 +29,7 @@ struct picture {
   [[nodiscard]] const channel* find(const std::string& name) const;
 };
 
-enum class file_format { png, exr };
+enum class file_format { png, exr, npz };
 
 /// By extension, in any case of letters; refuses others and says which there are.
 expected<file_format> format_of(const std::filesystem::path& file);
@@ -40,8 +41,8 @@ std::uint8_t srgb_byte(float linear);
 /// and before threads are started. exr: the plug-in graze_exr.so; png: nothing.
 support::status prepare_to_encode(file_format format);
 
-/// The bytes of the file. png: the channels R, G, B as 8-bit sRGB. exr: every channel as a 32-bit
-/// float, lossless. The same picture gives the same bytes: no date is written.
+/// The bytes of the file. png: the channels R, G, B as 8-bit sRGB; with A, these divided by it, and it. exr: every channel as a 32-bit
+/// float, lossless. npz is no picture: arrays.hpp. The same picture gives the same bytes: no date is written.
 expected<std::vector<unsigned char>> encode(const picture& image, file_format format);
 
 } // namespace graze::render

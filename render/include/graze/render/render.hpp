@@ -70,8 +70,9 @@ struct tally {
 
 /// What is seen at one pixel.
 struct pixel {
-  std::array<float, 3> colour; ///< linear
+  std::array<float, 3> colour; ///< linear; of a transparent scene times `alpha`
   float depth;                 ///< from the eye, in scene length; infinity where there is no root
+  float alpha = 1; ///< the part of the pixel's rays that do not see a transparent background
 };
 
 /// What else is known of the ray through a pixel's centre.
@@ -82,6 +83,7 @@ struct pixel_facts {
   std::array<float, 3> normal{};      ///< unit, towards the eye's side; 0 where nothing was hit
   int object = -1;                    ///< index in scene::objects; -1 where nothing was hit
   std::uint32_t steps = 0;            ///< octants whose children were tested
+  proof proven{};
 };
 
 struct rendering {
@@ -106,8 +108,10 @@ rendering render_picture(const scene& s, const caster& surface, const settings& 
                          const std::atomic<bool>* stop = nullptr,
                          const progress_report& report = {});
 
-/// Channels R, G, B and Z; with facts also depth.width, normal.X, normal.Y, normal.Z, object.id,
-/// verdict.code and steps.octants.
-picture to_picture(const rendering& result);
+/// Channels R, G, B, Z, and A where `transparent`; with facts also depth.width, normal.X, normal.Y, normal.Z, object.id,
+/// verdict.code, steps.octants, and what is proven: depth.lower.1 to .3, depth.upper.1 to .3 (floats
+/// whose sum is the double, or beyond it where floats are too short), normal.lower.X to .Z and
+/// normal.upper.X to .Z (rounded outward to floats).
+picture to_picture(const rendering& result, bool transparent = false);
 
 } // namespace graze::render

@@ -7,8 +7,10 @@
 #include <graze/octree/surface_traversal.hpp>
 #include <graze/octree_formula.hpp>
 #include <graze/render/camera.hpp>
+#include <graze/render/proof.hpp>
 #include <graze/render/secondary.hpp>
 #include <graze/render/shading.hpp>
+#include <graze/render/view.hpp>
 #include <graze/support/status.hpp>
 #include <memory>
 #include <optional>
@@ -34,6 +36,9 @@ public:
   /// departures as hits.
   virtual void depart(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
                       std::span<departure> departures) const = 0;
+  /// What is proven of each ray and its end. As many of each.
+  virtual void prove(std::span<const octree::ray> rays, std::span<const octree::surface_hit> hits,
+                     std::span<proof> proofs) const = 0;
   /// Leaves of the octree in which the surface may be; 0 where there is none.
   virtual std::uint64_t octree_leaves() const = 0;
 };
@@ -63,6 +68,14 @@ struct scene {
   solid shape;
   colour background = default_background;
   std::vector<octree::parameter> set{}; ///< of the formulas, in order; each is used by one at least
+  /// The picture has an alpha channel, 0 where no ray hit; `background` is what mirrors show.
+  bool transparent = false;
+  /// What is asked of the camera where it is to fit the surface; until then (settle_view) it fits the
+  /// domain. None where `view` is all that is asked.
+  std::optional<framing> fitted = framing{};
+  /// Who has chosen `lights`: nobody, the scene, or they are a headlight, which goes with the eye.
+  enum class lamps : std::uint8_t { usual, given, headlight };
+  lamps lit = lamps::usual;
 };
 inline constexpr std::size_t most_lights = 64, most_objects = 1000;
 
@@ -92,6 +105,20 @@ std::size_t object_at(const scene& s, const vec3& point);
 /// about its middle.
 camera fitting_camera(const octree::box& domain);
 std::vector<light> fitting_lights(const octree::box& domain);
+
+/// One light, at the eye.
+std::vector<light> headlight(const camera& view);
+
+/// A ball about the parts of the domain in which the surface may be: octants of its domain in which f
+/// is not proven to have no zero, in halves of halves, the last 1/64 as long as the box that holds them.
+/// Where there are none, or f could not be looked at, about the domain. A function of f and the domain.
+ball surface_extent(const scene& s);
+
+/// The camera as the scene and `asked`, which goes before, ask for: changed from the scene's own, or
+/// fitted to `shown` where it has none, or without that to the surface. Where the camera turns and the scene has chosen no lights,
+/// they become a headlight (scene::lit). Gives what orbits turn.
+expected<framed_camera> settle_view(scene& s, const framing& asked,
+                                    const std::optional<ball>& shown = {});
 
 /// Whether something can be seen in a domain: it is not empty, and finite.
 support::status check_domain(const octree::box& domain);

@@ -34,6 +34,9 @@ expected<scene> scene_from(std::string_view text, std::span<const octree::parame
 /// The text of a scene, on one line, in ASCII, from which scene_from makes the same scene.
 std::string text_of(const scene& s);
 
+/// Numbers with commas between; one or more.
+expected<std::vector<double>> numbers_from(std::string_view text);
+
 /// "lo,hi" for all axes, or "x0,x1,y0,y1,z0,z1".
 expected<octree::box> domain_from(std::string_view text);
 

@@ -2,7 +2,10 @@
 /// Light. Colours are linear, in Rec. 709 primaries.
 #include <array>
 #include <cmath>
+#include <graze/expected.hpp>
 #include <graze/octree/vector.hpp>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace graze::render {
@@ -25,10 +28,17 @@ struct material {
   double diffuse = 0.9;
   double specular = 0.25;
   double reflection = 0.2; ///< the part of the colour that the reflected ray brings (tracing only)
+  /// Instead of `body` where the surface is seen from f < 0: where f's gradient, rounded, points away
+  /// from the eye.
+  std::optional<colour> inside{};
 };
 
 /// Of a surface that names no colour.
 inline constexpr colour default_body = {0.45, 0.40, 0.72};
+/// The names of colours that are known, #rrggbb or #rgb (sRGB, made linear), or r,g,b (linear, 0 to
+/// 100 as in scene files).
+expected<colour> colour_from(std::string_view text);
+
 /// What no ray hit.
 inline constexpr colour default_background = {0.84, 0.87, 0.91};
 /// A pixel whose ray could be neither shown to hit nor to miss.
@@ -73,15 +83,15 @@ inline vec3 reflected(const vec3& direction, const vec3& normal) {
           direction[2] - twice * normal[2]};
 }
 
-/// The colour at `point` with the unit normal of the side that is seen, along `direction` (any
+/// The colour at `point` of a body of that colour, with the unit normal of the side that is seen, along `direction` (any
 /// length). Lights for which `shadowed(index)` is true do not count. Not clamped to 1.
 template <class Lights, class Shadowed>
-colour shade(const material& m, const vec3& point, const vec3& normal, const vec3& direction,
-             const Lights& lights, const Shadowed& shadowed) {
+colour shade(const material& m, const colour& body, const vec3& point, const vec3& normal,
+             const vec3& direction, const Lights& lights, const Shadowed& shadowed) {
   const vec3 to_eye = detail::unit({-direction[0], -direction[1], -direction[2]}, {0, 0, 1});
   colour result;
   for (std::size_t c = 0; c < 3; ++c)
-    result[c] = m.ambient * m.body[c];
+    result[c] = m.ambient * body[c];
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const light& lamp = lights[i];
     const vec3 to_light = detail::unit(
@@ -96,7 +106,7 @@ colour shade(const material& m, const vec3& point, const vec3& normal, const vec
     for (int square = 0; square < 5; ++square)
       shine *= shine; // to the 32nd, without a libm
     for (std::size_t c = 0; c < 3; ++c)
-      result[c] += lamp.intensity * (m.diffuse * m.body[c] * lambert + m.specular * shine);
+      result[c] += lamp.intensity * (m.diffuse * body[c] * lambert + m.specular * shine);
   }
   return result;
 }
