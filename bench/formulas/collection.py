@@ -234,43 +234,37 @@ class Judge:
         return r
 
 
+VERDICTS = ("hit", "miss", "undecided", "pole", "jump", "gap")
+
+
 def judged(judge, f, ends, proof):
-    """Counts over the pixels: (rays, wrong, decidable, the first that is wrong)."""
+    """Over the pixels: (rays, wrong, decidable, the first that is wrong)."""
     at = judge.function(f)
-    origin, direction = proof["origin"], proof["direction"]
-    verdict, near, far = proof["verdict"], proof["t_lower"], proof["t_upper"]
+    exact = judge.exact
+    eye = proof["eye"]
     wrong, decidable, example, rays = 0, 0, "", 0
-    names = [str(n) for n in proof["verdicts"]]
-    for i in range(verdict.size):
-        k = divmod(i, verdict.shape[1])
-        o = origin[k] if origin.ndim == 3 else origin
-        d = direction[k]
-        span = judge.span(o, d, ends)
-        root = None
-        everywhere = False
+    for row, column in ((r, c) for r in range(proof["verdict"].shape[0]) for c in range(proof["verdict"].shape[1])):
+        direction = proof["direction"][row, column]
+        said = VERDICTS[proof["verdict"][row, column]]
+        span = judge.span(eye, direction, ends)
+        root, within = None, False
         if span is not None:
-            line = [judge.flint.fmpq_poly([judge.exact(o[a]), judge.exact(d[a])]) for a in range(3)]
-            g = at(*line)
-            everywhere = g.degree() < 0
-            if not everywhere:
-                root = judge.first_root(g, *span)
+            g = at(*(judge.flint.fmpq_poly([exact(eye[a]), exact(direction[a])]) for a in range(3)))
+            within = g.degree() < 0
+            root = judge.flint.arb(span[0]) if within else judge.first_root(g, *span)
         rays += 1
-        said = names[verdict[k]]
         if said == "undecided":
             decidable += 1
-        elif everywhere:
-            wrong += said != "hit"
-        elif said == "hit":
-            right = root is not None and judge.exact(near[k]) <= root + judge.flint.arb(0, 1e-30) and \
-                root - judge.flint.arb(0, 1e-30) <= judge.exact(far[k])
-            right = root is not None and not (root < judge.exact(near[k])) and not (root > judge.exact(far[k]))
-            wrong += not right
-        else:
-            right = root is None
-            wrong += not right
-        if wrong and not example:
-            example = f"pixel {k[1]},{k[0]}: {said}, exact root {root}"
-    return rays, int(wrong), decidable, example
+            continue
+        right = root is None
+        if said == "hit":  # depth = t |direction|; squared, so that no root is taken
+            depth2 = None if root is None else root * root * sum((exact(d) ** 2 for d in direction), judge.flint.fmpq(0))
+            right = depth2 is not None and not depth2 < exact(proof["depth_lower"][row, column]) ** 2 and \
+                not depth2 > exact(proof["depth_upper"][row, column]) ** 2
+        if not right:
+            wrong += 1
+            example = example or f"pixel {column},{row}: {said}, exact root {root}"
+    return rays, wrong, decidable, example
 
 
 def main():
@@ -325,7 +319,7 @@ def main():
                 totals["refused"] += 1
             else:
                 said = json.loads(done.stdout.splitlines()[-1])
-                row |= {k: said[k] for k in ("hits", "misses", "poles", "jumps", "undecided") if k in said}
+                row |= {k: said[k] for k in ("hits", "misses", "poles", "jumps", "gaps", "undecided") if k in said}
                 totals["undecided"] += said["undecided"]
                 if judge is not None:
                     try:

@@ -166,6 +166,9 @@ encode_npz(const rendering& result, const std::vector<std::pair<std::string, std
     npz.add_values<double>(name, "<f8", space, 3 * count,
                            [&](std::size_t i) { return (all[i / 3].proven.*of.*bound)[i % 3]; });
   };
+  npz.add_values<double>("eye", "<f8", "3,", 3, [&](std::size_t i) { return result.eye[i]; });
+  npz.add_values<double>("direction", "<f8", space, 3 * count,
+                         [&](std::size_t i) { return all[i / 3].direction[i % 3]; });
   add_vector("point_lower", &proof::point, &octree::box::lo);
   add_vector("point_upper", &proof::point, &octree::box::hi);
   add_vector("normal_lower", &proof::normal, &octree::box::lo);

@@ -157,6 +157,7 @@ private:
       pixel_facts& f = target_.facts[at(k)];
       f.verdict = static_cast<int>(h.outcome);
       f.proven = proofs_[k];
+      f.direction = rays_[k].direction();
       f.steps = static_cast<std::uint32_t>(std::min<std::uint64_t>(steps_[k], ~std::uint32_t{0}));
       if (is_free(h.outcome))
         continue;
@@ -246,6 +247,7 @@ rendering render_picture(const scene& s, const caster& surface, const settings& 
                          const std::atomic<bool>* stop, const progress_report& report) {
   rendering result;
   result.whole = chosen.size;
+  result.eye = s.view.eye;
   result.part = chosen.crop.value_or(window{0, 0, chosen.size});
   const std::size_t count = result.part.size.count();
   result.pixels.assign(count, unfinished_pixel);

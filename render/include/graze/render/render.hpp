@@ -83,6 +83,7 @@ struct pixel_facts {
   std::array<float, 3> normal{};      ///< unit, towards the eye's side; 0 where nothing was hit
   int object = -1;                    ///< index in scene::objects; -1 where nothing was hit
   std::uint32_t steps = 0;            ///< octants whose children were tested
+  vec3 direction{};                   ///< of the ray through its centre, not of unit length
   proof proven{};
 };
 
@@ -91,6 +92,7 @@ struct rendering {
   extent whole = 1;
   std::vector<pixel> pixels;      ///< of the part, row by row from the top
   std::vector<pixel_facts> facts; ///< likewise; empty if not wanted
+  vec3 eye{};                     ///< the origin of all rays
   tally counts;
   double seconds = 0;
   bool complete = true; ///< false where `stop` was set before the end
