@@ -135,3 +135,26 @@ TEST_CASE("render.hard: shadow rays along a cone's rulings come to an end", "[un
   CHECK(c.pixels == 1600);
   CHECK(c.shadow_rays > 500);
 }
+
+TEST_CASE("render.hard: a descent that goes deeper decides no less, and its octree is bounded",
+          "[unit]") {
+  // a septic of Breske, Labs and van Straten, expanded: its surface fills the domain
+  const auto s = scene_from(
+      R"({"formula": "(2*x^7-42*x^5*y^2+70*x^3*y^4-14*x*y^6-14*x^6+70*x^4*y^2+70*x^2*y^4-14*y^6+28*x^5+56*x^3*y^2+28*x*y^4-84*x^2*y^2+28*y^4-42*x^3-42*x*y^2+14*x^2-14*y^2+14*x)+(64*z^7-112*z^5+56*z^3-7*z+5)/2", "domain": [-3, 3]})");
+  REQUIRE(s);
+  const auto along = prepare(*s, 9, 30, method::certified);
+  REQUIRE(along);
+  settings chosen = {40, 2, mode::cast};
+  const tally exact = render_picture(*s, **along, chosen).counts;
+  CHECK(exact.undecided == 0);
+  for (const int levels : {12, 30}) {
+    const auto surface = prepare(*s, 9, levels, method::descent);
+    REQUIRE(surface);
+    CHECK((*surface)->octree_leaves() < 100'000); // 1.6 million at level 9
+    const tally c = render_picture(*s, **surface, chosen).counts;
+    INFO("NL " << levels);
+    CHECK(c.undecided <= (levels == 12 ? 1 : 0));
+    CHECK(c.hits + c.undecided >= exact.hits);
+    CHECK(c.misses <= exact.misses);
+  }
+}
