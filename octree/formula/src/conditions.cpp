@@ -67,6 +67,8 @@ expressions::result solid(expressions& built, const condition& c) {
     return built.refuse("f != g is no surface: f = g is one");
   expressions::result r;
   for (const truth& part : c.parts) {
+    if (part->what == same) // min and max would take it for f <= g
+      return built.refuse("f == g is no solid, which could be joined: f <= g is one");
     auto f = solid(built, *part);
     if (f && r)
       f = built.binary(c.what == all ? opcode::max : opcode::min, *r, *f);

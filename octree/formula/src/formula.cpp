@@ -611,6 +611,8 @@ private:
       const bool of_solids = function.which == 1;
       if (!of_solids && !is_number(positions[i], operands[i]))
         return std::nullopt;
+      if (of_solids && operands[i].is && operands[i].is->what == condition::kind::same)
+        return refuse(positions[i], "f == g is no solid, which could be joined: f <= g is one");
       auto value = solid(positions[i], operands[i]);
       if (!value)
         return std::nullopt;

@@ -88,7 +88,12 @@ const built_in_name* find_built_in(std::string_view name) {
   const std::string lower = lower_case(name);
   const auto at = std::find_if(std::begin(names), std::end(names),
                                [&](const built_in_name& n) { return n.name == lower; });
-  return at != std::end(names) ? at : nullptr;
+  if (at == std::end(names))
+    return nullptr;
+  // R, PHI and E are people's own
+  const bool own = at->what == kind::e || at->what == kind::radius || at->what == kind::distance ||
+                   at->what == kind::azimuth || at->what == kind::polar_angle;
+  return own && at->name != name ? nullptr : at;
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string> others) {

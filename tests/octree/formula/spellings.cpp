@@ -100,7 +100,8 @@ TEST_CASE("octree.formula: each spelling has the tape of the plain one", "[unit]
       // upper case
       {"X^2+Y-Z", "x^2+y-z"},
       {"Sin(x)+SQRT(y)+Atan2(Y,X)", "sin(x)+sqrt(y)+atan2(y,x)"},
-      {"PI*x+E^y", "pi*x+e^y"},
+      {"PI*x+e^y", "pi*x+e^y"},
+      {"R=2;E=3;x^2-R*E", "x^2-6"},
       // pasted signs
       {"2×x·y⋅z − π", "2*x*y*z - pi"},
       {"2\u00a0x\u00a0+\u00a01", "2 x + 1"},
@@ -292,6 +293,13 @@ TEST_CASE("octree.formula: spellings are refused with a way out", "[unit]") {
   refused("sgn(y)", 1, "; sign?");
   refused("radius=2;x-raduis", 12, "; radius?");
   refused("XY", 1, "products need a *");
+  for (const char* own :
+       {"R", "E", "Rho", "THETA", "PHI"}) // a forgotten parameter is no coordinate
+    refused(std::string("x^2+").append(own).c_str(), 5, "unknown name");
+  // a surface joined to a condition would be the solid f <= g
+  refused("x^2==1 and y<2", 1, "no solid");
+  refused("y<2 or not x!=1", 1, "no solid");
+  refused("union(x==1,y<2)", 7, "no solid");
   refused("|x|y|z|", 4, "*");
   refused("x|y|", 2, "*");
   refused("|x||y|", 4, "*");

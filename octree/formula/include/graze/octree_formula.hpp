@@ -14,9 +14,10 @@
 ///   power    = primary [ ("^" | "**") signed | superscripts ]   x^y^z is x^(y^z)
 ///   primary  = number | name | name "(" any { "," any } ")" | "(" formula ")" | "|" sum "|"
 /// A number is decimal (11.8, .5, 1e-3) or hexadecimal (0x1.8p-3) and means that real number: one
-/// that is no double is enclosed by its two neighbours. Names, in upper case too: x y z, pi, e,
+/// that is no double is enclosed by its two neighbours. Names, in upper case too: x y z, pi;
+/// e,
 ///   r = hypot(x, y), rho = hypot(r, z), theta = atan2(y, x), phi = atan2(r, z) in [0, pi], the angle
-///   from the z axis (these four may be defined anew), and the functions
+///   from the z axis (these four may be defined anew); and, in upper case too, the functions
 ///   sqr sqrt cbrt abs exp exp2 exp10 expm1 log (ln) log2 log10 log1p sin cos tan cot sec csc asin
 ///   acos atan acot sinh cosh tanh coth sech csch asinh acosh atanh acoth sign floor ceil trunc,
 ///   atan2(y, x) hypot(x, y) pow(x, y) pown(x, n) rootn(x, n), min and max of two or more,
