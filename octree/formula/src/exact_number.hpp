@@ -16,9 +16,9 @@ using rational = boost::multiprecision::number<
 
 inline integer numerator_of(const rational& x) { return integer(numerator(x)); }
 inline integer denominator_of(const rational& x) { return integer(denominator(x)); }
-/// Bits of |x|; 0 for 0.
-inline unsigned bits_of(const integer& x) {
-  return x.is_zero() ? 0 : static_cast<unsigned>(msb(x.sign() < 0 ? integer(-x) : x)) + 1;
+/// Bits of |x|, an integer of any kind; 0 for 0.
+template <class Integer> unsigned bits_of(const Integer& x) {
+  return x.is_zero() ? 0 : static_cast<unsigned>(msb(x.sign() < 0 ? Integer(-x) : x)) + 1;
 }
 
 /// The double as a rational; finite.

@@ -21,10 +21,6 @@ using namespace tape;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr certified_hit no_hit{verdict::miss, false, infinity, infinity};
 
-template <class Integer> unsigned size_of(const Integer& x) {
-  return x.is_zero() ? 0 : static_cast<unsigned>(msb(x.sign() < 0 ? Integer(-x) : x)) + 1;
-}
-
 /// x as significand * 2^exponent, the significand odd or 0.
 struct dyadic {
   std::int64_t significand;
@@ -64,7 +60,7 @@ template <unsigned Bits> struct approximate_polynomial {
   [[nodiscard]] int bits() const {
     unsigned most = 0;
     for (const integer& x : c)
-      most = std::max(most, size_of(x));
+      most = std::max(most, bits_of(x));
     return static_cast<int>(most);
   }
   /// So that coefficients are short enough.
@@ -135,7 +131,7 @@ template <unsigned Bits> struct approximate_polynomial {
   }
   /// The radius may outgrow the integers: nothing is known then.
   [[nodiscard]] bool is_known() const {
-    return size_of(radius) < static_cast<unsigned>(precision) / 2;
+    return bits_of(radius) < static_cast<unsigned>(precision) / 2;
   }
 };
 
@@ -404,7 +400,7 @@ int coordinate_bits(const ray& r) {
   for (int a = 0; a < 3; ++a) {
     const dyadic o(r.origin()[a]), d(r.direction()[a]);
     const auto top = [](const dyadic& x) {
-      return x.exponent + static_cast<int>(size_of(integer(x.significand)));
+      return x.exponent + static_cast<int>(bits_of(integer(x.significand)));
     };
     if (d.significand != 0 && o.significand != 0)
       most = std::max(most, std::max(top(o), top(d)) - std::min(o.exponent, d.exponent));

@@ -1,6 +1,7 @@
 // Rays that meet poles, jumps and gaps of f: decided, and as an independent judge says. Judges: exact
 // roots of the polynomials of which f is made, piece by piece; f without its pole, a continuous
 // formula; f on both sides of its jump.
+#include "../../support/formulas.hpp"
 #include "../../support/paths.hpp"
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -14,17 +15,10 @@
 using namespace graze;
 using namespace graze::octree;
 using oracle::polynomial;
+using support::cube_of;
+using support::parsed;
 
 namespace {
-
-formula parsed(const std::string& text) {
-  const auto f = formula::parse(text);
-  INFO(text << ": " << f.reason());
-  REQUIRE(f);
-  return *f;
-}
-
-box cube_of(double side) { return {{-side, -side, -side}, {side, side, side}}; }
 
 /// size x size rays from an eye in front of a corner of the cube, to all of it.
 std::vector<ray> rays_to(double side, int size) {

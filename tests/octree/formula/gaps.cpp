@@ -1,5 +1,6 @@
 // Formulas with gaps, poles and jumps (continuity.cpp has the list of operations), and constants:
 // nothing is certified where there is no zero, and a constant is between neighbouring doubles.
+#include "../../support/formulas.hpp"
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <graze/interval.hpp>
@@ -14,15 +15,9 @@
 using namespace graze;
 using namespace graze::octree;
 using up = rounding::upward;
+using support::parsed;
 
 namespace {
-
-formula parsed(const std::string& text) {
-  const auto f = formula::parse(text);
-  INFO(text << ": " << f.reason());
-  REQUIRE(f);
-  return *f;
-}
 
 /// The number to 400 bits.
 class number {

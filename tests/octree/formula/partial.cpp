@@ -1,5 +1,6 @@
 // Surfaces that are not defined, or not continuous, everywhere: nothing is lost, and nothing that
 // is no zero is certified.
+#include "../../support/formulas.hpp"
 #include "../surface_judge.hpp"
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,17 +12,11 @@
 using namespace graze;
 using namespace graze::octree;
 using up = rounding::upward;
+using support::parsed;
 
 namespace {
 
 const box unit{{-1, -1, -1}, {1, 1, 1}};
-
-formula parsed(const char* text) {
-  const auto f = formula::parse(text);
-  INFO(text << ": " << f.reason());
-  REQUIRE(f);
-  return *f;
-}
 
 struct leaf_counts {
   std::size_t all = 0, certified = 0;

@@ -1,4 +1,5 @@
 // Polynomials however they are spelt: every ray is decided, as Sturm's sequences decide it.
+#include "../../support/formulas.hpp"
 #include "../../support/paths.hpp"
 #include "../certified/root_judge.hpp"
 #include "exact_text.hpp"
@@ -12,17 +13,10 @@
 
 using namespace graze;
 using namespace graze::octree;
+using support::cube_of;
+using support::parsed;
 
 namespace {
-
-formula parsed(const std::string& text) {
-  const auto f = formula::parse(text);
-  INFO(text << ": " << f.reason());
-  REQUIRE(f);
-  return *f;
-}
-
-box cube_of(double reach) { return {{-reach, -reach, -reach}, {reach, reach, reach}}; }
 
 /// Rays from an eye beside cube_of(reach), `side` by `side` of them.
 std::vector<ray> camera(double reach, int side) {

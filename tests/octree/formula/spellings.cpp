@@ -1,5 +1,6 @@
 // Spellings that mean the same have the same tape; definitions, parameters, choices; what is refused,
 // where, and what it says.
+#include "../../support/formulas.hpp"
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
@@ -9,15 +10,9 @@
 
 using namespace graze;
 using namespace graze::octree;
+using support::parsed;
 
 namespace {
-
-formula parsed(const std::string& text, std::span<const parameter> set = {}) {
-  const auto f = formula::parse(text, nullptr, set);
-  INFO(text << ": " << f.reason());
-  REQUIRE(f);
-  return *f;
-}
 
 void refused(const std::string& text, std::size_t column, const std::string& why,
              std::size_t shown_column = 0) {

@@ -1,19 +1,14 @@
 // Surfaces on which the lanes and the scalar code once differed.
+#include "../../support/formulas.hpp"
 #include "../../support/paths.hpp"
 #include <catch2/catch.hpp>
 #include <graze/octree_formula/lane_kernels.hpp>
 
 using namespace graze;
 using namespace graze::octree;
+using support::parsed;
 
 namespace {
-
-formula parsed(const char* text) {
-  const auto f = formula::parse(text);
-  INFO(text << ": " << f.reason());
-  REQUIRE(f);
-  return *f;
-}
 
 void same_leaves(const char* text, const box& domain, std::size_t leaves) {
   const formula f = parsed(text);
