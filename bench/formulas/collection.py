@@ -242,6 +242,8 @@ def judged(judge, f, ends, proof):
     at = judge.function(f)
     exact = judge.exact
     eye = proof["eye"]
+    if at(*(judge.flint.fmpq_poly([k, k + 2]) for k in (1, 2, 3))).degree() > DEGREE:
+        raise NotTaken("of too high a degree")
     wrong, decidable, example, rays = 0, 0, "", 0
     for row, column in ((r, c) for r in range(proof["verdict"].shape[0]) for c in range(proof["verdict"].shape[1])):
         direction = proof["direction"][row, column]
@@ -249,8 +251,6 @@ def judged(judge, f, ends, proof):
         span = judge.span(eye, direction, ends)
         root, within = None, False
         if span is not None:
-            if rays == 0 and at(*[judge.flint.fmpq_poly([1, 1])] * 3).degree() > DEGREE:
-                raise NotTaken("of too high a degree")
             g = at(*(judge.flint.fmpq_poly([exact(eye[a]), exact(direction[a])]) for a in range(3)))
             within = g.degree() < 0
             root = judge.flint.arb(span[0]) if within else judge.first_root(g, *span)
